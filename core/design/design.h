@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/message.h"
+#include "base/result.h"
+#include "base/task.h"
+#include "castability/certificate.h"
+#include "castability/mold_state.h"
+#include "mesh/indexed_mesh.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace moldwright {
+
+enum class DirectionsChoice { Automatic, Normal, Given };
+enum class DeformationMethod { Default, Paper };
+
+/// A point of the part that may move only in the parting plane. [Stein 2019], Section 6.1.
+struct Pin {
+    Eigen::Vector3d point; ///< mm, part frame, in the undeformed shape; snapped to the nearest tet vertex
+    bool operator==(const Pin&) const = default;
+};
+
+/// What Algorithm 1 is asked to do.
+struct DesignRequest {
+    SharedMesh part;                     ///< closed, usable (see prepare()), mm
+    std::optional<PartingPlane> plane;   ///< none: the best plane that passes the topological certificate
+    DirectionsChoice directionsChoice = DirectionsChoice::Automatic;
+    Directions directions;               ///< used when Given
+    double draftDegrees = 1;
+    double maxTiltDegrees = 30;          ///< of each direction against the plane's normal
+    DeformationMethod method = DeformationMethod::Default;
+    std::vector<Pin> pins;
+    std::vector<double> faceWeights;     ///< importance per face of `part`, 1 = plain; empty: all plain
+    std::vector<Eigen::Vector3d> limbTips; ///< where limb measures are wanted; empty: found automatically
+    unsigned seed = 1;
+};
+
+/// One picture of a running deformation: enough to draw it.
+struct DesignFrame {
+    std::string stage;      ///< English name of the stage
+    SharedMesh shape;       ///< mm, part frame
+    MoldState state;
+    int step = 0;
+    double energy = 0;               ///< castability energy, scale-free (diagonal 1)
+    double worstDraftDegrees = 0;
+    double violatingAreaFraction = 0;
+};
+using FrameSink = std::function<void(const DesignFrame&)>;
+
+/// A named reason why the shape cannot be cast with these choices, whatever the deformation.
+struct Obstruction {
+    enum class Kind { Pocket, ClosedPiece, Handle, Link, SteepFaces };
+    Kind kind = Kind::Pocket;
+    Message message;       ///< what, where, what would help
+    Eigen::Vector3d place; ///< mm, part frame
+    double size = 0;       ///< mm, diagonal of the piece concerned
+    int side = 0;          ///< 1 or 2
+};
+
+/// How far the cast is from the part, after the best rigid fit; distances over the part's diagonal.
+struct Change {
+    double meanDistance = 0;
+    double maxDistance = 0;
+    double volumeRatio = 1;
+    double filledVolumeFraction = 0;
+};
+
+/// How a limb came through: geodesic length tip to joint and volume, cast over part.
+struct LimbMeasure {
+    Eigen::Vector3d tip; ///< mm, part frame, on the undeformed part
+    double lengthRatio = 1;
+    double volumeRatio = 1;
+};
+
+struct DesignResult {
+    SharedMesh cast;    ///< mm, part frame; every coordinate a float: the same for PLY and STL
+    SideLabels labels;  ///< side of each face of cast
+    MoldState state;
+    bool castable = false; ///< exactly: certificate.holds()
+    Certificate certificate;
+    double energy = 0;
+    double violatingAreaFraction = 0;
+    Change change;
+    std::vector<LimbMeasure> limbs;
+    std::vector<Obstruction> obstructions;
+    std::vector<Message> warnings;
+    int tets = 0;
+    int plasticSteps = 0;
+    int localGlobalIterations = 0;
+    std::map<std::string, double> seconds; ///< keys of timings.json
+};
+
+/// Runs Algorithm 1 unattended ([Stein 2019], Section 6.3; the pipeline is described in ARCHITECTURE.md): plane →
+/// parting line → deformation → finish → proof. `frames`, if set, is called from this thread after every step.
+/// A result that is not castable is a value with castable = false; obstructions say why when one was found.
+/// Errors: BadInput, Impossible (no plane passes), Cancelled, Worker.
+[[nodiscard]] Result<DesignResult> design(const DesignRequest& request, const Task& task = {},
+                                          const FrameSink& frames = {});
+
+} // namespace moldwright

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/mold_state.h"
+#include "design/design.h"
+#include "mesh/indexed_mesh.h"
+#include "mold/mold.h"
+
+#include <Eigen/Geometry>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace moldwright {
+
+enum class Unit { Millimetre, Centimetre, Metre, Inch };
+
+/// How the part was brought in and where it lies: part = placement · (scale · file).
+struct Placement {
+    Unit unit = Unit::Millimetre;
+    double scale = 1;                                            ///< file's numbers to mm, unit included
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); ///< moved, turned, laid flat
+
+    bool operator==(const Placement& o) const {
+        return unit == o.unit && scale == o.scale && motion.matrix() == o.motion.matrix();
+    }
+};
+
+/// What the designer decided; the input of design().
+struct DesignSettings {
+    double draftDegrees = 1;
+    double maxTiltDegrees = 30;
+    DirectionsChoice directionsChoice = DirectionsChoice::Automatic;
+    DeformationMethod method = DeformationMethod::Default;
+    unsigned seed = 1;
+
+    bool operator==(const DesignSettings&) const = default;
+};
+
+/// What a design run made: kept in the project, since it cannot be recomputed in a blink.
+struct CastResult {
+    SharedMesh mesh;
+    SideLabels labels;
+    MoldState state;
+    double draftDegrees = 1;
+    Change change;
+    std::vector<LimbMeasure> limbs;
+};
+
+/// The whole document as one value. Heavy meshes are shared and immutable, so a copy is cheap, an edit is a pure
+/// function Project → Project, and undo is exact. Derived things (draft analysis, mold, report) are not in it.
+struct Project {
+    std::string name;         ///< shown in the title; the part's name
+    std::string sourceFile;   ///< where the part was read from, for people
+    SharedMesh source;        ///< as read: the file's numbers
+    Placement placement;
+    SharedMesh part;          ///< source placed, mm; null while no part is open
+    std::optional<MoldState> state; ///< none until a plane was chosen
+    bool planeChosenByHand = false;
+    DesignSettings design;
+    std::vector<Pin> pins;
+    std::vector<double> faceWeights; ///< per face of part; empty: all 1
+    std::shared_ptr<const CastResult> cast; ///< none until a design finished
+    MoldSettings mold;
+};
+
+} // namespace moldwright
