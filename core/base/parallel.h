@@ -16,8 +16,8 @@ void setThreadCount(int threads);
 void parallelFor(std::size_t count, std::size_t grain,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-/// Sum of partial(begin, end) over the blocks of [0, count), added in block order: the same bits for any number
-/// of threads. T needs a zero value and +=.
+/// Sum of partial(begin, end) over the blocks of [0, count), added in block order: the same bits for any
+/// number of threads. T needs a zero value and +=.
 template <class T>
 [[nodiscard]] T parallelSum(std::size_t count, std::size_t grain, T zero,
                             const std::function<T(std::size_t begin, std::size_t end)>& partial) {

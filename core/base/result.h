@@ -14,13 +14,13 @@ namespace moldwright {
 
 /// Why something expected did not succeed. The command line maps it to an exit code.
 enum class ErrorCode {
-    Usage,      ///< the request makes no sense (exit 2)
-    BadInput,   ///< a file or mesh cannot be used (exit 3)
-    Impossible, ///< a named obstruction stands in the way of these choices (exit 4)
-    Cancelled,  ///< stopped by the user or by the time limit (exit 5)
-    WriteFailed,///< a file could not be written (exit 3)
-    Worker,     ///< the worker program failed, was killed, or answered nonsense (exit 70)
-    Internal    ///< a promise inside the program broke (exit 70)
+    Usage,       ///< the request makes no sense (exit 2)
+    BadInput,    ///< a file or mesh cannot be used (exit 3)
+    Impossible,  ///< a named obstruction stands in the way of these choices (exit 4)
+    Cancelled,   ///< stopped by the user or by the time limit (exit 5)
+    WriteFailed, ///< a file could not be written (exit 3)
+    Worker,      ///< the worker program failed, was killed, or answered nonsense (exit 70)
+    Internal     ///< a promise inside the program broke (exit 70)
 };
 
 /// An expected failure as a value: what happened, and where, so that a view can point at it.

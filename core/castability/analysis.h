@@ -28,9 +28,9 @@ struct DraftHistogram {
 struct DraftAnalysis {
     double energy = 0; ///< Eq. (2) of [Stein 2019] at τ = sin(draft), for the mesh scaled to diagonal 1
     double worstDraftDegrees = 90;
-    double violatingArea = 0;         ///< mm²
-    double violatingAreaFraction = 0; ///< of the whole area
-    std::vector<double> faceDraft;    ///< degrees per face; of its worse piece
+    double violatingArea = 0;            ///< mm²
+    double violatingAreaFraction = 0;    ///< of the whole area
+    std::vector<double> faceDraft;       ///< degrees per face; of its worse piece
     std::vector<std::uint8_t> violating; ///< per face: 1 when a piece of it is below the draft angle
     std::vector<Undercut> undercuts;     ///< largest area first
     DraftHistogram histogram;

@@ -11,11 +11,12 @@ namespace moldwright {
 
 /// The proof that a cast leaves both mold halves, or why it is not one.
 struct Certificate {
-    bool closedAndOutward = false;     ///< closed, manifold, positive volume
-    bool directionsLeave = false;      ///< d1·n > 0 and d2·n < 0
-    bool draftHolds = false;           ///< every face of side i: N·d_i ≥ sin(draft), exactly
-    bool curvesOnPlane = false;        ///< parting-curve points within 4 float ulps of the plane
-    bool curvesSimpleAndNested = false;///< along d1 and along d2: simple, not crossing, alternating with nesting
+    bool closedAndOutward = false; ///< closed, manifold, positive volume
+    bool directionsLeave = false;  ///< d1·n > 0 and d2·n < 0
+    bool draftHolds = false;       ///< every face of side i: N·d_i ≥ sin(draft), exactly
+    bool curvesOnPlane = false;    ///< parting-curve points within 4 float ulps of the plane
+    bool curvesSimpleAndNested =
+        false; ///< along d1 and along d2: simple, not crossing, alternating with nesting
     bool selfIntersectionFree = false; ///< no two faces cross (exact predicates)
     std::vector<int> violatingFaces;
     double worstDraftDegrees = 0; ///< rounded down
@@ -27,15 +28,15 @@ struct Certificate {
     }
 };
 
-/// Proves in exact arithmetic, on the coordinates as given (round to float first for what an STL holds), that `cast`
-/// is castable in `state` with the draft angle. For each face of label i with c = (b−a)×(c−a): c·d_i > 0 and
-/// (c·d_i)² ≥ τ²|c|²|d_i|², rational τ ≥ sin draft. See ARCHITECTURE.md, "The certificate".
+/// Proves in exact arithmetic, on the coordinates as given (round to float first for what an STL holds), that
+/// `cast` is castable in `state` with the draft angle. For each face of label i with c = (b−a)×(c−a): c·d_i >
+/// 0 and (c·d_i)² ≥ τ²|c|²|d_i|², rational τ ≥ sin draft. See ARCHITECTURE.md, "The certificate".
 [[nodiscard]] Certificate certify(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
                                   double draftDegrees);
 
-/// Side of each face of a cast whose parting line is inserted: by its points' distances from the plane, points within
-/// 4 float ulps of the largest coordinate counting as on it; a face wholly on it by its normal. A face with points
-/// strictly on both sides gets the label 0: no certificate can hold.
+/// Side of each face of a cast whose parting line is inserted: by its points' distances from the plane,
+/// points within 4 float ulps of the largest coordinate counting as on it; a face wholly on it by its normal.
+/// A face with points strictly on both sides gets the label 0: no certificate can hold.
 [[nodiscard]] SideLabels labelSides(const IndexedMesh& cast, const PartingPlane& plane);
 
 } // namespace moldwright

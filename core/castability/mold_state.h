@@ -30,7 +30,9 @@ struct Directions {
     [[nodiscard]] const Eigen::Vector3d& of(int side) const { return side == 1 ? d1 : d2; }
 
     /// d1 = n, d2 = −n.
-    [[nodiscard]] static Directions normalTo(const PartingPlane& plane) { return {plane.normal, -plane.normal}; }
+    [[nodiscard]] static Directions normalTo(const PartingPlane& plane) {
+        return {plane.normal, -plane.normal};
+    }
 
     bool operator==(const Directions&) const = default;
 };
@@ -46,13 +48,21 @@ struct MoldState {
 /// The side (1 or 2) that each face belongs to.
 using SideLabels = std::vector<std::uint8_t>;
 
-[[nodiscard]] inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-[[nodiscard]] inline double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+[[nodiscard]] inline double radians(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
+[[nodiscard]] inline double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
 
-/// Angle of face normal N (unit) against direction d (unit): asin(N·d), degrees. Castable when ≥ the draft angle.
-[[nodiscard]] inline double draftDegrees(double NdotD) { return degrees(std::asin(std::clamp(NdotD, -1.0, 1.0))); }
+/// Angle of face normal N (unit) against direction d (unit): asin(N·d), degrees. Castable when ≥ the draft
+/// angle.
+[[nodiscard]] inline double draftDegrees(double NdotD) {
+    return degrees(std::asin(std::clamp(NdotD, -1.0, 1.0)));
+}
 
-/// Rigid motion that takes the plane to z = 0, side 1 up: x ↦ R(x − n·o). The same rotation for the same normal.
+/// Rigid motion that takes the plane to z = 0, side 1 up: x ↦ R(x − n·o). The same rotation for the same
+/// normal.
 [[nodiscard]] Eigen::Isometry3d planeFrame(const PartingPlane& plane);
 
 } // namespace moldwright

@@ -11,8 +11,8 @@ namespace moldwright {
 
 /// What a search for parting planes may do.
 struct PlaneSearch {
-    int count = 6;                ///< K distinct planes asked for
-    int samples = 1000;           ///< random planes tried before local refinement
+    int count = 6;      ///< K distinct planes asked for
+    int samples = 1000; ///< random planes tried before local refinement
     double draftDegrees = 1;
     double maxTiltDegrees = 30;
     bool normalDirections = false; ///< keep d1 = n, d2 = −n
@@ -28,13 +28,13 @@ struct PlaneCandidate {
     double smallerVolumeFraction = 0; ///< share of the volume on the smaller side, 0 for a flat-backed part
 };
 
-/// The best distinct parting planes of a closed mesh, best first: random sampling, then local refinement of plane and
-/// directions by L-BFGS on Eq. (2). [Stein 2019], Section 6.3. Deterministic for a given seed.
+/// The best distinct parting planes of a closed mesh, best first: random sampling, then local refinement of
+/// plane and directions by L-BFGS on Eq. (2). [Stein 2019], Section 6.3. Deterministic for a given seed.
 [[nodiscard]] std::vector<PlaneCandidate> findPlanes(const IndexedMesh& mesh, const PlaneSearch& search,
                                                      const Task& task = {});
 
 /// Directions of least energy for a given plane, within the tilt cap, d1·n > 0 and d2·n < 0 by construction.
-[[nodiscard]] Directions bestDirections(const IndexedMesh& mesh, const PartingPlane& plane, double draftDegrees,
-                                        double maxTiltDegrees);
+[[nodiscard]] Directions bestDirections(const IndexedMesh& mesh, const PartingPlane& plane,
+                                        double draftDegrees, double maxTiltDegrees);
 
 } // namespace moldwright

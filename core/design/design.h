@@ -29,26 +29,26 @@ struct Pin {
 
 /// What Algorithm 1 is asked to do.
 struct DesignRequest {
-    SharedMesh part;                     ///< closed, usable (see prepare()), mm
-    std::optional<PartingPlane> plane;   ///< none: the best plane that passes the topological certificate
+    SharedMesh part;                   ///< closed, usable (see prepare()), mm
+    std::optional<PartingPlane> plane; ///< none: the best plane that passes the topological certificate
     DirectionsChoice directionsChoice = DirectionsChoice::Automatic;
-    Directions directions;               ///< used when Given
+    Directions directions; ///< used when Given
     double draftDegrees = 1;
-    double maxTiltDegrees = 30;          ///< of each direction against the plane's normal
+    double maxTiltDegrees = 30; ///< of each direction against the plane's normal
     DeformationMethod method = DeformationMethod::Default;
     std::vector<Pin> pins;
-    std::vector<double> faceWeights;     ///< importance per face of `part`, 1 = plain; empty: all plain
+    std::vector<double> faceWeights;       ///< importance per face of `part`, 1 = plain; empty: all plain
     std::vector<Eigen::Vector3d> limbTips; ///< where limb measures are wanted; empty: found automatically
     unsigned seed = 1;
 };
 
 /// One picture of a running deformation: enough to draw it.
 struct DesignFrame {
-    std::string stage;      ///< English name of the stage
-    SharedMesh shape;       ///< mm, part frame
+    std::string stage; ///< English name of the stage
+    SharedMesh shape;  ///< mm, part frame
     MoldState state;
     int step = 0;
-    double energy = 0;               ///< castability energy, scale-free (diagonal 1)
+    double energy = 0; ///< castability energy, scale-free (diagonal 1)
     double worstDraftDegrees = 0;
     double violatingAreaFraction = 0;
 };
@@ -80,8 +80,8 @@ struct LimbMeasure {
 };
 
 struct DesignResult {
-    SharedMesh cast;    ///< mm, part frame; every coordinate a float: the same for PLY and STL
-    SideLabels labels;  ///< side of each face of cast
+    SharedMesh cast;   ///< mm, part frame; every coordinate a float: the same for PLY and STL
+    SideLabels labels; ///< side of each face of cast
     MoldState state;
     bool castable = false; ///< exactly: certificate.holds()
     Certificate certificate;
@@ -97,10 +97,10 @@ struct DesignResult {
     std::map<std::string, double> seconds; ///< keys of timings.json
 };
 
-/// Runs Algorithm 1 unattended ([Stein 2019], Section 6.3; the pipeline is described in ARCHITECTURE.md): plane →
-/// parting line → deformation → finish → proof. `frames`, if set, is called from this thread after every step.
-/// A result that is not castable is a value with castable = false; obstructions say why when one was found.
-/// Errors: BadInput, Impossible (no plane passes), Cancelled, Worker.
+/// Runs Algorithm 1 unattended ([Stein 2019], Section 6.3; the pipeline is described in ARCHITECTURE.md):
+/// plane → parting line → deformation → finish → proof. `frames`, if set, is called from this thread after
+/// every step. A result that is not castable is a value with castable = false; obstructions say why when one
+/// was found. Errors: BadInput, Impossible (no plane passes), Cancelled, Worker.
 [[nodiscard]] Result<DesignResult> design(const DesignRequest& request, const Task& task = {},
                                           const FrameSink& frames = {});
 

@@ -19,20 +19,22 @@ struct ReadMesh {
     std::vector<Message> notes; ///< what was ignored or mended while reading ("37 spare bytes at the end")
 };
 
-/// Reads a mesh file in the worker program, so that no file can crash, stall or exhaust the caller. The format is
-/// told by content, then by ending. Units are the file's.
-/// Errors: BadInput with a sentence that names the file, what is wrong, and where (line or byte); Cancelled; Worker.
+/// Reads a mesh file in the worker program, so that no file can crash, stall or exhaust the caller. The
+/// format is told by content, then by ending. Units are the file's. Errors: BadInput with a sentence that
+/// names the file, what is wrong, and where (line or byte); Cancelled; Worker.
 [[nodiscard]] Result<ReadMesh> readMesh(const std::filesystem::path& file, const Task& task = {});
 
-/// Writes atomically (temporary file, fsync, rename, fsync of the folder). PLY holds doubles (binary, little endian);
-/// binary STL holds floats: what is certified for it must be rounded by roundToFloat() first. Errors: WriteFailed.
-[[nodiscard]] Result<void> writeMesh(const std::filesystem::path& file, const IndexedMesh& mesh, MeshFormat format);
+/// Writes atomically (temporary file, fsync, rename, fsync of the folder). PLY holds doubles (binary, little
+/// endian); binary STL holds floats: what is certified for it must be rounded by roundToFloat() first.
+/// Errors: WriteFailed.
+[[nodiscard]] Result<void> writeMesh(const std::filesystem::path& file, const IndexedMesh& mesh,
+                                     MeshFormat format);
 
 /// `mesh` with every coordinate rounded to the nearest float: exactly what a binary STL of it holds.
 [[nodiscard]] IndexedMesh roundToFloat(const IndexedMesh& mesh);
 
-/// Writes bytes to a file atomically; an old file stays whole when anything fails. Errors: WriteFailed, naming path
-/// and cause.
+/// Writes bytes to a file atomically; an old file stays whole when anything fails. Errors: WriteFailed,
+/// naming path and cause.
 [[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& file, const std::string& bytes);
 
 } // namespace moldwright

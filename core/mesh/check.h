@@ -20,8 +20,9 @@ struct MeshDiagnosis {
     int genus = 0;                    ///< summed over components; meaningful when closed and manifold
     std::vector<int> degenerateFaces; ///< of exactly zero area
     std::vector<int> badFaces;        ///< faces at open or non-manifold edges and vertices
-    std::vector<std::pair<int, int>> selfIntersections; ///< pairs of faces that cross or touch (not only neighbours)
-    double volume = 0;                                  ///< mm³
+    std::vector<std::pair<int, int>>
+        selfIntersections; ///< pairs of faces that cross or touch (not only neighbours)
+    double volume = 0;     ///< mm³
 
     /// Closed, manifold, oriented, one solid of positive volume, no degenerate face, no self-intersection.
     [[nodiscard]] bool usable() const;
@@ -39,8 +40,9 @@ struct PreparedMesh {
     std::vector<Message> repairs; ///< "5 equal points welded", "orientation of 442 faces turned", …
 };
 
-/// Drops unused points, welds equal points, drops repeated-index faces, mends orientation; then requires usable().
-/// `name` is the file's name for messages. Errors: BadInput saying what is wrong, how many and where (faces, places).
+/// Drops unused points, welds equal points, drops repeated-index faces, mends orientation; then requires
+/// usable(). `name` is the file's name for messages. Errors: BadInput saying what is wrong, how many and
+/// where (faces, places).
 [[nodiscard]] Result<PreparedMesh> prepare(const IndexedMesh& mesh, const std::string& name);
 
 } // namespace moldwright

@@ -9,7 +9,8 @@ namespace {
 
 int findRoot(std::vector<int>& parent, int v) {
     while (parent[static_cast<std::size_t>(v)] != v) {
-        parent[static_cast<std::size_t>(v)] = parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(v)])];
+        parent[static_cast<std::size_t>(v)] =
+            parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(v)])];
         v = parent[static_cast<std::size_t>(v)];
     }
     return v;
@@ -24,7 +25,8 @@ double volume(const IndexedMesh& mesh) {
     const Eigen::Vector3d origin = mesh.corner(0, 0);
     double sum = 0;
     for (int f = 0; f < mesh.faceCount(); ++f)
-        sum += (mesh.corner(f, 0) - origin).dot((mesh.corner(f, 1) - origin).cross(mesh.corner(f, 2) - origin));
+        sum +=
+            (mesh.corner(f, 0) - origin).dot((mesh.corner(f, 1) - origin).cross(mesh.corner(f, 2) - origin));
     return sum / 6;
 }
 

@@ -30,7 +30,8 @@ namespace moldwright {
 /// Centre of mass of the enclosed solid, mm. Precondition: closed, volume ≠ 0.
 [[nodiscard]] Eigen::Vector3d centroid(const IndexedMesh& mesh);
 
-/// Connected component of each face (sharing a vertex), numbered from 0 in order of first face; and their count.
+/// Connected component of each face (sharing a vertex), numbered from 0 in order of first face; and their
+/// count.
 struct Components {
     std::vector<int> ofFace;
     int count = 0;

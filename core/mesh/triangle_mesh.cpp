@@ -7,14 +7,15 @@ namespace moldwright {
 
 TriangleMesh toTriangleMesh(const IndexedMesh& mesh) {
     TriangleMesh result;
-    result.reserve(static_cast<std::size_t>(mesh.vertexCount()), static_cast<std::size_t>(mesh.faceCount()) * 3 / 2,
+    result.reserve(static_cast<std::size_t>(mesh.vertexCount()),
+                   static_cast<std::size_t>(mesh.faceCount()) * 3 / 2,
                    static_cast<std::size_t>(mesh.faceCount()));
     for (int v = 0; v < mesh.vertexCount(); ++v)
         result.add_vertex(mesh.point(v));
     for (int f = 0; f < mesh.faceCount(); ++f) {
-        [[maybe_unused]] const auto face =
-            result.add_face(TriangleMesh::VertexHandle(mesh.F(f, 0)), TriangleMesh::VertexHandle(mesh.F(f, 1)),
-                            TriangleMesh::VertexHandle(mesh.F(f, 2)));
+        [[maybe_unused]] const auto face = result.add_face(TriangleMesh::VertexHandle(mesh.F(f, 0)),
+                                                           TriangleMesh::VertexHandle(mesh.F(f, 1)),
+                                                           TriangleMesh::VertexHandle(mesh.F(f, 2)));
         assert(face.is_valid() && face.idx() == f);
     }
     return result;

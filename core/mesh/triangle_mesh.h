@@ -22,8 +22,8 @@ struct TriangleMeshTraits : OpenMesh::DefaultTraits {
 /// The core's mesh with topology: neighbourhood queries, splitting, collapsing, flipping.
 using TriangleMesh = OpenMesh::TriMesh_ArrayKernelT<TriangleMeshTraits>;
 
-/// `mesh` with topology; vertex and face k keep their index. Precondition: edge- and vertex-manifold, oriented
-/// consistently (see diagnose()); asserts otherwise.
+/// `mesh` with topology; vertex and face k keep their index. Precondition: edge- and vertex-manifold,
+/// oriented consistently (see diagnose()); asserts otherwise.
 [[nodiscard]] TriangleMesh toTriangleMesh(const IndexedMesh& mesh);
 
 /// The plain arrays of `mesh`, which must hold no deleted elements (call garbage_collection() first).

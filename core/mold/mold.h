@@ -27,7 +27,7 @@ struct MoldSettings {
 /// One mold half in the mold's frame (parting plane z = 0 exactly, side 1 up), every coordinate a float.
 struct MoldHalf {
     SharedMesh mesh;
-    double volume = 0;    ///< mm³
+    double volume = 0;                              ///< mm³
     Eigen::Vector3d size = Eigen::Vector3d::Zero(); ///< mm, bounding box
 };
 
@@ -35,22 +35,23 @@ struct MoldHalf {
 struct Mold {
     MoldHalf half1;
     MoldHalf half2;
-    SharedMesh cast;                ///< everything that solidifies, mold's frame, floats
+    SharedMesh cast; ///< everything that solidifies, mold's frame, floats
     Eigen::Isometry3d partToMold = Eigen::Isometry3d::Identity();
-    Directions directions;          ///< in the mold's frame
-    double cavityVolume = 0;        ///< mm³
-    double channelVolume = 0;       ///< mm³
-    double partingArea = 0;         ///< mm² enclosed by cavities in the parting plane
-    double minWall = 0;             ///< mm, smallest steel found
-    Certificate castCertificate;    ///< of `cast` as it stands in the mold's frame
+    Directions directions;             ///< in the mold's frame
+    double cavityVolume = 0;           ///< mm³
+    double channelVolume = 0;          ///< mm³
+    double partingArea = 0;            ///< mm² enclosed by cavities in the parting plane
+    double minWall = 0;                ///< mm, smallest steel found
+    Certificate castCertificate;       ///< of `cast` as it stands in the mold's frame
     std::vector<std::string> problems; ///< English; what of mold.md's list does not hold
 
     [[nodiscard]] bool verified() const { return problems.empty() && castCertificate.holds(); }
 };
 
-/// Builds and proves the mold of a certified cast. Errors: BadInput when the cast is not certified; Cancelled;
-/// Internal when a half could not be made sound.
-[[nodiscard]] Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
-                                     double draftDegrees, const MoldSettings& settings, const Task& task = {});
+/// Builds and proves the mold of a certified cast. Errors: BadInput when the cast is not certified;
+/// Cancelled; Internal when a half could not be made sound.
+[[nodiscard]] Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels,
+                                     const MoldState& state, double draftDegrees,
+                                     const MoldSettings& settings, const Task& task = {});
 
 } // namespace moldwright

@@ -19,7 +19,7 @@ enum class Unit { Millimetre, Centimetre, Metre, Inch };
 /// How the part was brought in and where it lies: part = placement · (scale · file).
 struct Placement {
     Unit unit = Unit::Millimetre;
-    double scale = 1;                                            ///< file's numbers to mm, unit included
+    double scale = 1;                                         ///< file's numbers to mm, unit included
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); ///< moved, turned, laid flat
 
     bool operator==(const Placement& o) const {
@@ -48,19 +48,20 @@ struct CastResult {
     std::vector<LimbMeasure> limbs;
 };
 
-/// The whole document as one value. Heavy meshes are shared and immutable, so a copy is cheap, an edit is a pure
-/// function Project → Project, and undo is exact. Derived things (draft analysis, mold, report) are not in it.
+/// The whole document as one value. Heavy meshes are shared and immutable, so a copy is cheap, an edit is a
+/// pure function Project → Project, and undo is exact. Derived things (draft analysis, mold, report) are not
+/// in it.
 struct Project {
-    std::string name;         ///< shown in the title; the part's name
-    std::string sourceFile;   ///< where the part was read from, for people
-    SharedMesh source;        ///< as read: the file's numbers
+    std::string name;       ///< shown in the title; the part's name
+    std::string sourceFile; ///< where the part was read from, for people
+    SharedMesh source;      ///< as read: the file's numbers
     Placement placement;
-    SharedMesh part;          ///< source placed, mm; null while no part is open
+    SharedMesh part;                ///< source placed, mm; null while no part is open
     std::optional<MoldState> state; ///< none until a plane was chosen
     bool planeChosenByHand = false;
     DesignSettings design;
     std::vector<Pin> pins;
-    std::vector<double> faceWeights; ///< per face of part; empty: all 1
+    std::vector<double> faceWeights;        ///< per face of part; empty: all 1
     std::shared_ptr<const CastResult> cast; ///< none until a design finished
     MoldSettings mold;
 };

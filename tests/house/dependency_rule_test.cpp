@@ -36,10 +36,13 @@ std::vector<Include> includesBelow(const fs::path& folder) {
     return found;
 }
 
-bool startsWith(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+bool startsWith(const std::string& text, const std::string& start) {
+    return text.rfind(start, 0) == 0;
+}
 
-const std::vector<std::string> roomsFromTheGroundUp = {"base",   "mesh", "exchange", "castability", "guides",
-                                                       "deformation", "design", "mold",   "report", "project"};
+const std::vector<std::string> roomsFromTheGroundUp = {"base",   "mesh",        "exchange", "castability",
+                                                       "guides", "deformation", "design",   "mold",
+                                                       "report", "project"};
 
 } // namespace
 

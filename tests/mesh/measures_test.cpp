@@ -36,8 +36,8 @@ TEST(Measures, BoundingBoxIgnoresUnusedPoints) {
 }
 
 TEST(Measures, ComponentsAreNumberedByFirstFace) {
-    const Components parts = connectedComponents(
-        test::together(test::box({0, 0, 0}, {1, 1, 1}), test::sphere({5, 0, 0}, 1, 1)));
+    const Components parts =
+        connectedComponents(test::together(test::box({0, 0, 0}, {1, 1, 1}), test::sphere({5, 0, 0}, 1, 1)));
     EXPECT_EQ(parts.count, 2);
     EXPECT_EQ(parts.ofFace.front(), 0);
     EXPECT_EQ(parts.ofFace.back(), 1);

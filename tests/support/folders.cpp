@@ -18,11 +18,21 @@ std::optional<std::filesystem::path> folderFromEnvironment(const char* variable)
 
 } // namespace
 
-std::optional<std::filesystem::path> models() { return folderFromEnvironment("MOLDWRIGHT_MODELS"); }
-std::optional<std::filesystem::path> badModels() { return folderFromEnvironment("MOLDWRIGHT_BAD_MODELS"); }
-std::filesystem::path sourceFolder() { return MOLDWRIGHT_SOURCE_DIR; }
-std::filesystem::path samples() { return sourceFolder() / "resources" / "samples"; }
-std::filesystem::path programs() { return MOLDWRIGHT_BIN_DIR; }
+std::optional<std::filesystem::path> models() {
+    return folderFromEnvironment("MOLDWRIGHT_MODELS");
+}
+std::optional<std::filesystem::path> badModels() {
+    return folderFromEnvironment("MOLDWRIGHT_BAD_MODELS");
+}
+std::filesystem::path sourceFolder() {
+    return MOLDWRIGHT_SOURCE_DIR;
+}
+std::filesystem::path samples() {
+    return sourceFolder() / "resources" / "samples";
+}
+std::filesystem::path programs() {
+    return MOLDWRIGHT_BIN_DIR;
+}
 
 ScratchFolder::ScratchFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "moldwright-XXXXXX").string();

@@ -6,8 +6,8 @@
 
 namespace moldwright::test {
 
-/// Folder of real models (environment MOLDWRIGHT_MODELS), of defective ones (MOLDWRIGHT_BAD_MODELS); none when unset.
-/// A test that needs them and finds none ends with GTEST_SKIP().
+/// Folder of real models (environment MOLDWRIGHT_MODELS), of defective ones (MOLDWRIGHT_BAD_MODELS); none
+/// when unset. A test that needs them and finds none ends with GTEST_SKIP().
 std::optional<std::filesystem::path> models();
 std::optional<std::filesystem::path> badModels();
 

@@ -14,8 +14,8 @@ IndexedMesh box(const Eigen::Vector3d& lo, const Eigen::Vector3d& hi) {
     for (int v = 0; v < 8; ++v)
         mesh.V.row(v) << (v & 1 ? hi : lo).x(), (v & 2 ? hi : lo).y(), (v & 4 ? hi : lo).z();
     mesh.F.resize(12, 3);
-    mesh.F << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7,
-        5;
+    mesh.F << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3,
+        7, 1, 7, 5;
     return mesh;
 }
 
