@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+
+#include <string>
+
+namespace moldwright {
+
+/// The jobs of the worker program. Each takes the bytes of a request and returns the bytes of its answer
+/// (see exchange/wire.h); none is trusted by the program that asks.
+
+/// Request: switches, V, F. Answer: V, T, as TetGen gives them.
+[[nodiscard]] Result<std::string> tetrahedralizeJob(const std::string& request);
+
+} // namespace moldwright

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "exchange/tetrahedralize.h"
+
+#include "mesh/measures.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+using namespace moldwright;
+
+namespace {
+
+double sumOfVolumes(const TetMesh& tets) {
+    double sum = 0;
+    for (int t = 0; t < tets.T.rows(); ++t) {
+        const Eigen::RowVector3d a = tets.V.row(tets.T(t, 0));
+        const Eigen::RowVector3d b = tets.V.row(tets.T(t, 1)) - a;
+        const double sixfold = b.dot((tets.V.row(tets.T(t, 2)) - a).cross(tets.V.row(tets.T(t, 3)) - a));
+        EXPECT_GT(sixfold, 0);
+        sum += sixfold / 6;
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST(Tetrahedralize, FillsASphereAndKeepsItsSurface) {
+    const IndexedMesh sphere = test::sphere({0.1, 0.2, 0.3}, 0.5, 3);
+    const auto tets = tetrahedralize(sphere);
+    ASSERT_TRUE(tets) << tets.error().english();
+    EXPECT_EQ(tets->V.topRows(sphere.V.rows()), sphere.V);
+    EXPECT_NEAR(sumOfVolumes(*tets), volume(sphere), 1e-9);
+    EXPECT_GT(tets->V.rows(), sphere.V.rows());
+}
+
+TEST(Tetrahedralize, FillsARing) {
+    const auto ring = test::torus(0.4, 0.1, 40, 16);
+    const auto tets = tetrahedralize(ring);
+    ASSERT_TRUE(tets) << tets.error().english();
+    EXPECT_NEAR(sumOfVolumes(*tets), volume(ring), 1e-9);
+}
+
+TEST(Tetrahedralize, IsTheSameEveryTime) {
+    const IndexedMesh sphere = test::sphere({0, 0, 0}, 0.5, 2);
+    const auto once = tetrahedralize(sphere);
+    const auto again = tetrahedralize(sphere);
+    ASSERT_TRUE(once && again);
+    EXPECT_EQ(once->V, again->V);
+    EXPECT_EQ(once->T, again->T);
+}
+
+TEST(Tetrahedralize, AnOpenSurfaceIsAnErrorNotACrash) {
+    IndexedMesh open = test::sphere({0, 0, 0}, 0.5, 2);
+    open.F.conservativeResize(open.F.rows() - 4, Eigen::NoChange);
+    const auto tets = tetrahedralize(open);
+    ASSERT_FALSE(tets);
+    EXPECT_EQ(tets.error().code, ErrorCode::Worker);
+}
+
+TEST(Tetrahedralize, SurfacesThatCrossAreAnErrorNotACrash) {
+    const auto crossing =
+        test::together(test::sphere({0, 0, 0}, 0.5, 2), test::sphere({0.2, 0.1, 0}, 0.5, 2));
+    const auto tets = tetrahedralize(crossing);
+    ASSERT_FALSE(tets);
+    EXPECT_EQ(tets.error().code, ErrorCode::Worker);
+}
+
+TEST(Tetrahedralize, ACancelledTaskAnswersCancelled) {
+    const Task task;
+    task.cancel();
+    const auto tets = tetrahedralize(test::sphere({0, 0, 0}, 0.5, 2), task);
+    ASSERT_FALSE(tets);
+    EXPECT_EQ(tets.error().code, ErrorCode::Cancelled);
+}
