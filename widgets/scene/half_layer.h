@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/mold_state.h"
+#include "scene/mesh_layer.h"
+
+#include <Eigen/Geometry>
+
+namespace moldwright::scene {
+
+/// One mold half in the view, made in the mold's frame and shown in the part's, moved along its direction
+/// when the mold opens.
+class HalfLayer {
+public:
+    /// `moldToPart` places the half about the part; `direction` is its removal direction in the part's frame.
+    void set(const SharedMesh& half, const Eigen::Isometry3d& moldToPart, const Eigen::Vector3d& direction,
+             Rgb colour);
+    void clear() { m_layer.setMesh(nullptr, {}); }
+
+    /// Opens by `way` mm along the direction.
+    void open(double way);
+
+    [[nodiscard]] bool shown() const { return m_layer.mesh() != nullptr; }
+    [[nodiscard]] vtkActor* actor() const { return m_layer.actor(); }
+
+    /// Box in the part's frame, opened as it is.
+    [[nodiscard]] Eigen::AlignedBox3d box() const;
+
+private:
+    MeshLayer m_layer;
+    Eigen::Isometry3d m_moldToPart = Eigen::Isometry3d::Identity();
+    Eigen::Vector3d m_direction = Eigen::Vector3d::UnitZ();
+    double m_way = 0;
+};
+
+} // namespace moldwright::scene

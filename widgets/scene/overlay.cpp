@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "scene/overlay.h"
+
+#include <vtkActor2D.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRegularPolygonSource.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright::scene {
+
+namespace {
+
+constexpr double edge = 12; ///< from the view's border, logical pixels
+
+struct Disc {
+    vtkNew<vtkRegularPolygonSource> circle;
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    vtkNew<vtkActor2D> actor;
+
+    Disc() {
+        circle->SetNumberOfSides(32);
+        mapper->SetInputConnection(circle->GetOutputPort());
+        actor->SetMapper(mapper);
+        actor->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
+    }
+};
+
+struct Spot {
+    double left;
+    double bottom;
+    double width;
+    double height;
+
+    [[nodiscard]] bool overlaps(const Spot& o) const {
+        return left < o.left + o.width && o.left < left + width && bottom < o.bottom + o.height &&
+               o.bottom < bottom + height;
+    }
+};
+
+} // namespace
+
+/// A disc with a ring of another colour.
+struct Overlay::Grip {
+    Disc ring;
+    Disc face;
+};
+
+Overlay::Overlay() = default;
+
+Overlay::~Overlay() = default;
+
+void Overlay::addTo(vtkRenderer* renderer) {
+    m_renderer = renderer;
+    m_legend.addTo(renderer);
+    m_state.addTo(renderer);
+}
+
+void Overlay::lay(OverlayPanel& panel, const PanelContent& content) {
+    panel.setContent(content, m_colours, m_scale);
+    panel.setVisible(!content.title.empty() || !content.lines.empty());
+}
+
+void Overlay::setColours(const SceneColours& colours, double scale) {
+    m_colours = colours;
+    m_scale = scale;
+    lay(m_legend, m_legendContent);
+    lay(m_state, m_stateContent);
+    for (std::size_t i = 0; i < m_chips.size(); ++i)
+        lay(*m_chipPanels[i], m_chips[i].content);
+    setGrips(m_gripPlaces, m_heldGrip);
+}
+
+void Overlay::setLegend(const PanelContent& content) {
+    if (content == m_legendContent)
+        return;
+    m_legendContent = content;
+    lay(m_legend, content);
+}
+
+void Overlay::setState(const PanelContent& content) {
+    if (content == m_stateContent)
+        return;
+    m_stateContent = content;
+    lay(m_state, content);
+}
+
+void Overlay::setChips(const std::vector<Chip>& chips) {
+    while (m_chipPanels.size() < chips.size()) {
+        m_chipPanels.push_back(std::make_unique<OverlayPanel>());
+        m_chipPanels.back()->addTo(m_renderer);
+    }
+    for (std::size_t i = 0; i < m_chipPanels.size(); ++i) {
+        if (i >= chips.size())
+            m_chipPanels[i]->setVisible(false);
+        else if (i >= m_chips.size() || chips[i].content != m_chips[i].content)
+            lay(*m_chipPanels[i], chips[i].content);
+    }
+    m_chips = chips;
+}
+
+void Overlay::setGrips(const std::vector<Eigen::Vector3d>& places, int held) {
+    m_gripPlaces = places;
+    m_heldGrip = held;
+    while (m_grips.size() < places.size()) {
+        m_grips.push_back(std::make_unique<Grip>());
+        m_renderer->AddViewProp(m_grips.back()->ring.actor);
+        m_renderer->AddViewProp(m_grips.back()->face.actor);
+    }
+    for (std::size_t i = 0; i < m_grips.size(); ++i) {
+        Grip& grip = *m_grips[i];
+        const bool shown = i < places.size();
+        const bool isHeld = static_cast<int>(i) == held;
+        grip.ring.actor->SetVisibility(shown);
+        grip.face.actor->SetVisibility(shown);
+        const double radius = (isHeld ? 7.5 : 6) * m_scale;
+        grip.ring.circle->SetRadius(radius);
+        grip.face.circle->SetRadius(radius - 2 * m_scale);
+        grip.ring.actor->GetProperty()->SetColor(Rgb::hex(0xFFFFFF).unit().data());
+        grip.face.actor->GetProperty()->SetColor((isHeld ? m_colours.accent : m_colours.plane).unit().data());
+    }
+}
+
+void Overlay::arrange(const Camera& camera, ViewSize view) {
+    const double gap = edge * m_scale;
+    m_legend.moveTo(gap, gap);
+    m_state.moveTo(gap, view.height - gap - m_state.height());
+    std::vector<Spot> taken = {
+        {gap, gap, m_legend.width(), m_legend.height()},
+        {gap, view.height - gap - m_state.height(), m_state.width(), m_state.height()}};
+    for (std::size_t i = 0; i < m_chips.size(); ++i) {
+        OverlayPanel& panel = *m_chipPanels[i];
+        const Eigen::Vector3d pixel = camera.project(m_chips[i].place, view);
+        Spot spot{pixel.x() + 14 * m_scale, view.height - pixel.y() - panel.height() / 2, panel.width(),
+                  panel.height()};
+        spot.left = std::clamp(spot.left, gap, std::max(gap, view.width - panel.width() - gap));
+        spot.bottom = std::clamp(spot.bottom, gap, std::max(gap, view.height - panel.height() - gap));
+        for (const Spot& other : taken)
+            if (spot.overlaps(other))
+                spot.bottom = other.bottom + other.height + 4 * m_scale;
+        taken.push_back(spot);
+        panel.moveTo(spot.left, spot.bottom);
+    }
+    for (std::size_t i = 0; i < m_gripPlaces.size(); ++i) {
+        const Eigen::Vector3d pixel = camera.project(m_gripPlaces[i], view);
+        m_grips[i]->ring.actor->SetPosition(pixel.x(), view.height - pixel.y());
+        m_grips[i]->face.actor->SetPosition(pixel.x(), view.height - pixel.y());
+    }
+}
+
+} // namespace moldwright::scene

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "scene/camera.h"
+#include "scene/overlay_panel.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+class vtkRenderer;
+
+namespace moldwright::scene {
+
+/// A short text beside a point of the scene.
+struct Chip {
+    Eigen::Vector3d place; ///< mm
+    PanelContent content;
+
+    bool operator==(const Chip&) const = default;
+};
+
+/// What is drawn flat over the scene: legend bottom left, state chip top left, chips at their places (which
+/// give way to each other), and the plane's grips.
+class Overlay {
+public:
+    Overlay();
+    ~Overlay();
+
+    void addTo(vtkRenderer* renderer);
+    void setColours(const SceneColours& colours, double scale);
+    void setLegend(const PanelContent& content);
+    void setState(const PanelContent& content);
+    void setChips(const std::vector<Chip>& chips);
+
+    /// The points to be drawn as grips; `held` is the one under the pointer, or −1.
+    void setGrips(const std::vector<Eigen::Vector3d>& places, int held);
+
+    /// Puts everything in its place for this camera.
+    void arrange(const Camera& camera, ViewSize view);
+
+private:
+    struct Grip;
+    void lay(OverlayPanel& panel, const PanelContent& content);
+
+    vtkRenderer* m_renderer = nullptr;
+    SceneColours m_colours;
+    double m_scale = 1;
+    OverlayPanel m_legend;
+    OverlayPanel m_state;
+    PanelContent m_legendContent;
+    PanelContent m_stateContent;
+    std::vector<Chip> m_chips;
+    std::vector<std::unique_ptr<OverlayPanel>> m_chipPanels;
+    std::vector<Eigen::Vector3d> m_gripPlaces;
+    int m_heldGrip = -1;
+    std::vector<std::unique_ptr<Grip>> m_grips;
+};
+
+} // namespace moldwright::scene

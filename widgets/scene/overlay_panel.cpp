@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "scene/overlay_panel.h"
+
+#include "scene/fonts.h"
+
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace moldwright::scene {
+
+namespace {
+
+constexpr double bodySize = 12;
+constexpr double titleSize = 13;
+constexpr double lineHeight = 20;
+constexpr double paddingX = 10;
+constexpr double paddingY = 6;
+constexpr double swatchWidth = 14;
+constexpr double swatchHeight = 11;
+constexpr double valueGap = 24;
+
+Rgb inkColour(Ink ink, const SceneColours& colours) {
+    switch (ink) {
+    case Ink::Text:
+        return colours.text;
+    case Ink::Secondary:
+        return colours.secondaryText;
+    case Ink::Side1:
+        return colours.side1Ink;
+    case Ink::Side2:
+        return colours.side2Ink;
+    }
+    return colours.text;
+}
+
+void useFont(vtkTextProperty* text, bool bold, double size) {
+    const std::string& file = bold ? viewFonts().bold : viewFonts().regular;
+    if (!file.empty()) {
+        text->SetFontFamily(VTK_FONT_FILE);
+        text->SetFontFile(file.c_str());
+    } else {
+        text->SetBold(bold);
+    }
+    text->SetFontSize(static_cast<int>(std::lround(size)));
+    text->SetVerticalJustificationToBottom();
+}
+
+} // namespace
+
+std::vector<std::pair<double, double>> roundedRectangle(double width, double height, double radius) {
+    std::vector<std::pair<double, double>> outline;
+    const std::array<std::array<double, 3>, 4> corners = {{{radius, radius, 1.0},
+                                                           {width - radius, radius, 1.5},
+                                                           {width - radius, height - radius, 0.0},
+                                                           {radius, height - radius, 0.5}}};
+    constexpr int steps = 5;
+    for (const auto& [x, y, start] : corners)
+        for (int i = 0; i <= steps; ++i) {
+            const double angle = (start + 0.5 * i / steps) * std::numbers::pi;
+            outline.emplace_back(x + radius * std::cos(angle), y + radius * std::sin(angle));
+        }
+    return outline;
+}
+
+OverlayPanel::OverlayPanel() = default;
+
+OverlayPanel::~OverlayPanel() = default;
+
+void OverlayPanel::addTo(vtkRenderer* renderer) {
+    m_renderer = renderer;
+}
+
+void OverlayPanel::clear() {
+    for (const Piece& piece : m_pieces)
+        m_renderer->RemoveViewProp(piece.actor);
+    m_pieces.clear();
+}
+
+void OverlayPanel::setContent(const PanelContent& content, const SceneColours& colours, double scale) {
+    clear();
+    m_height = layOut(content, colours, scale);
+    addBackground(colours, scale);
+    for (const Piece& piece : m_pieces)
+        m_renderer->AddViewProp(piece.actor);
+    setVisible(m_visible);
+    moveTo(m_left, m_bottom);
+}
+
+double OverlayPanel::layOut(const PanelContent& content, const SceneColours& colours, double scale) {
+    const std::size_t rows = content.lines.size() + (content.title.empty() ? 0 : 1);
+    const double height = (2 * paddingY + lineHeight * static_cast<double>(rows)) * scale;
+    double y = height - (paddingY + lineHeight) * scale;
+    double widest = 0;
+    if (!content.title.empty()) {
+        widest = addText({content.title, Ink::Text, true}, colours, titleSize * scale, paddingX * scale,
+                         y + 2 * scale);
+        y -= lineHeight * scale;
+    }
+    std::vector<std::pair<std::size_t, double>> values; // piece and width of each value, to be right-aligned
+    double valueWidth = 0;
+    for (const PanelContent::Line& line : content.lines) {
+        double x = paddingX * scale;
+        if (line.swatch) {
+            std::vector<std::pair<double, double>> outline =
+                roundedRectangle(swatchWidth * scale, swatchHeight * scale, 2 * scale);
+            addShape(outline, *line.swatch, true, 0, m_pieces.size());
+            m_pieces.back().x = x;
+            m_pieces.back().y = std::round(y + 5 * scale);
+            x += (swatchWidth + 8) * scale;
+        }
+        for (const PanelContent::Run& run : line.runs)
+            x = addText(run, colours, bodySize * scale, x, y + 2 * scale) + 6 * scale;
+        widest = std::max(widest, x - 6 * scale);
+        if (!line.value.empty()) {
+            const double end =
+                addText({line.value, Ink::Secondary, false}, colours, bodySize * scale, 0, y + 2 * scale);
+            values.emplace_back(m_pieces.size() - 1, end);
+            valueWidth = std::max(valueWidth, end);
+        }
+        y -= lineHeight * scale;
+    }
+    if (!values.empty())
+        widest += valueGap * scale + valueWidth;
+    for (const auto& [piece, width] : values)
+        m_pieces[piece].x = std::round(widest - width);
+    m_width = std::ceil(widest + paddingX * scale);
+    return height;
+}
+
+double OverlayPanel::addText(const PanelContent::Run& run, const SceneColours& colours, double size, double x,
+                             double y) {
+    vtkNew<vtkTextActor> text;
+    text->SetInput(run.text.c_str());
+    text->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
+    useFont(text->GetTextProperty(), run.bold, size);
+    text->GetTextProperty()->SetColor(inkColour(run.ink, colours).unit().data());
+    std::array<int, 4> box = {};
+    vtkTextRenderer::GetInstance()->GetBoundingBox(text->GetTextProperty(), run.text, box.data(), 72);
+    m_pieces.push_back({text.Get(), std::round(x), std::round(y)});
+    return x + box[1] - box[0];
+}
+
+void OverlayPanel::addShape(std::vector<std::pair<double, double>> outline, Rgb colour, bool filled,
+                            double lineWidth, std::size_t place) {
+    vtkNew<vtkPoints> points;
+    std::vector<vtkIdType> cell;
+    for (const auto& [x, y] : outline)
+        cell.push_back(points->InsertNextPoint(x, y, 0));
+    if (!filled)
+        cell.push_back(0);
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+    vtkNew<vtkPolyData> shape;
+    shape->SetPoints(points);
+    filled ? shape->SetPolys(cells) : shape->SetLines(cells);
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(shape);
+    vtkNew<vtkActor2D> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(colour.unit().data());
+    actor->GetProperty()->SetLineWidth(static_cast<float>(lineWidth));
+    actor->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
+    m_pieces.insert(m_pieces.begin() + static_cast<std::ptrdiff_t>(place), {actor.Get(), 0, 0});
+}
+
+void OverlayPanel::addBackground(const SceneColours& colours, double scale) {
+    const auto outline = roundedRectangle(m_width, m_height, 4 * scale);
+    addShape(outline, colours.chip, true, 0, 0);
+    addShape(outline, colours.chipEdge, false, scale, 1);
+}
+
+void OverlayPanel::moveTo(double left, double bottom) {
+    m_left = left;
+    m_bottom = bottom;
+    for (const Piece& piece : m_pieces)
+        piece.actor->SetPosition(std::round(left + piece.x), std::round(bottom + piece.y));
+}
+
+void OverlayPanel::setVisible(bool visible) {
+    m_visible = visible;
+    for (const Piece& piece : m_pieces)
+        piece.actor->SetVisibility(visible);
+}
+
+} // namespace moldwright::scene

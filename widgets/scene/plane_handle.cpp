@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "scene/plane_handle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright::scene {
+
+namespace {
+
+constexpr double overhang = 1.08;
+
+double rounded(double value, double step, bool coarse) {
+    return coarse ? std::round(value / step) * step : value;
+}
+
+/// How far along the normal the pointer went, mm, read off the normal's picture on the screen.
+double alongNormal(const PlaneDrag& drag, const Camera& camera, ViewSize view, double toX, double toY) {
+    const Eigen::Vector3d place = gripPlace(drag.rectangle, drag.grip);
+    const double step = 10 * camera.pixelSize(view);
+    const Eigen::Vector2d perStep =
+        (camera.project(place + step * drag.start.plane.normal, view) - camera.project(place, view))
+            .head<2>();
+    const Eigen::Vector2d way(toX - drag.x, toY - drag.y);
+    // Seen from straight above, the normal has no direction on the screen: up is then along it.
+    if (perStep.norm() < 2)
+        return -way.y() * camera.pixelSize(view);
+    return way.dot(perStep) / perStep.squaredNorm() * step;
+}
+
+} // namespace
+
+PlaneRectangle planeRectangle(const PartingPlane& plane, const Eigen::AlignedBox3d& box) {
+    PlaneRectangle rectangle;
+    const Eigen::Vector3d& n = plane.normal;
+    const Eigen::Vector3d helper =
+        std::abs(n.z()) < 0.9 ? Eigen::Vector3d::UnitZ().eval() : Eigen::Vector3d::UnitY().eval();
+    rectangle.u = helper.cross(n).normalized();
+    rectangle.v = n.cross(rectangle.u);
+    const Eigen::Vector3d middle = box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.center().eval();
+    rectangle.centre = middle - plane.distance(middle) * n;
+    const Eigen::Vector3d half = box.isEmpty() ? Eigen::Vector3d::Ones().eval() : (box.sizes() / 2).eval();
+    rectangle.halfU = overhang * half.dot(rectangle.u.cwiseAbs());
+    rectangle.halfV = overhang * half.dot(rectangle.v.cwiseAbs());
+    return rectangle;
+}
+
+Eigen::Vector3d gripPlace(const PlaneRectangle& rectangle, PlaneGrip grip) {
+    switch (grip) {
+    case PlaneGrip::Slide:
+        return rectangle.at(1, 1);
+    case PlaneGrip::TiltAboutV:
+        return rectangle.at(1, 0);
+    case PlaneGrip::TiltAboutU:
+        return rectangle.at(0, 1);
+    }
+    return rectangle.centre;
+}
+
+std::optional<PlaneGrip> gripAt(const PlaneRectangle& rectangle, const Camera& camera, ViewSize view,
+                                double x, double y, double reach) {
+    std::optional<PlaneGrip> nearest;
+    for (const PlaneGrip grip : planeGrips) {
+        const Eigen::Vector3d pixel = camera.project(gripPlace(rectangle, grip), view);
+        const double away = std::hypot(pixel.x() - x, pixel.y() - y);
+        if (away <= reach) {
+            reach = away;
+            nearest = grip;
+        }
+    }
+    return nearest;
+}
+
+MoldState PlaneDrag::moved(const Camera& camera, ViewSize view, double toX, double toY, bool coarse) const {
+    const double way = alongNormal(*this, camera, view, toX, toY);
+    PartingPlane plane = start.plane;
+    if (grip == PlaneGrip::Slide) {
+        plane.offset = rounded(plane.offset + way, 1, coarse);
+        return withPlane(start, plane);
+    }
+    const bool aboutV = grip == PlaneGrip::TiltAboutV;
+    const double arm = aboutV ? rectangle.halfU : rectangle.halfV;
+    const double angle = rounded(std::atan2(way, arm), radians(5), coarse);
+    // A grip that rises along n turns n backwards, towards the middle.
+    const Eigen::Vector3d axis = aboutV ? (-rectangle.v).eval() : rectangle.u;
+    plane.normal = (Eigen::AngleAxisd(angle, axis) * plane.normal).normalized();
+    plane.offset = plane.normal.dot(rectangle.centre);
+    return withPlane(start, plane);
+}
+
+MoldState withPlane(const MoldState& state, const PartingPlane& plane) {
+    if (plane.normal == state.plane.normal)
+        return {plane, state.directions};
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(state.plane.normal, plane.normal);
+    return {plane, {(turn * state.directions.d1).normalized(), (turn * state.directions.d2).normalized()}};
+}
+
+} // namespace moldwright::scene

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/mold_state.h"
+#include "scene/camera.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <optional>
+
+namespace moldwright::scene {
+
+/// The rectangle that stands for the parting plane in the view: centre, two unit axes in the plane, half
+/// sizes in mm.
+struct PlaneRectangle {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d u = Eigen::Vector3d::UnitX();
+    Eigen::Vector3d v = Eigen::Vector3d::UnitY();
+    double halfU = 1;
+    double halfV = 1;
+
+    [[nodiscard]] Eigen::Vector3d at(double s, double t) const {
+        return centre + s * halfU * u + t * halfV * v;
+    }
+};
+
+/// The rectangle for `plane` about a part with this box, a little larger than the part.
+[[nodiscard]] PlaneRectangle planeRectangle(const PartingPlane& plane, const Eigen::AlignedBox3d& box);
+
+/// What can be taken hold of on the plane: its corner slides it along its normal, its edges tilt it.
+enum class PlaneGrip { Slide, TiltAboutV, TiltAboutU };
+inline constexpr std::array planeGrips = {PlaneGrip::Slide, PlaneGrip::TiltAboutV, PlaneGrip::TiltAboutU};
+
+/// Where a grip sits, mm.
+[[nodiscard]] Eigen::Vector3d gripPlace(const PlaneRectangle& rectangle, PlaneGrip grip);
+
+/// The grip within `reach` pixels of the pointer.
+[[nodiscard]] std::optional<PlaneGrip> gripAt(const PlaneRectangle& rectangle, const Camera& camera,
+                                              ViewSize view, double x, double y, double reach);
+
+/// A drag of a grip, from the state it started in. `coarse` rounds to whole millimetres and 5°.
+struct PlaneDrag {
+    MoldState start;
+    PlaneRectangle rectangle;
+    PlaneGrip grip = PlaneGrip::Slide;
+    double x = 0; ///< pixel where the drag began
+    double y = 0;
+
+    /// The state with the pointer at (x, y): directions turn with the plane.
+    [[nodiscard]] MoldState moved(const Camera& camera, ViewSize view, double toX, double toY,
+                                  bool coarse) const;
+};
+
+/// `state` with another normal and offset; directions keep their angles to the plane.
+[[nodiscard]] MoldState withPlane(const MoldState& state, const PartingPlane& plane);
+
+} // namespace moldwright::scene

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "scene/scene.h"
+
+#include "mesh/measures.h"
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkRenderWindow.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright::scene {
+
+namespace {
+
+constexpr double arrowShare = 0.2; ///< of the part's diagonal
+constexpr double openShare = 0.9;  ///< of the part's diagonal, each half
+
+/// Three lights that turn with the camera: a soft key from above left, fill from the right, a little rim.
+void addLights(vtkRenderer* renderer) {
+    struct Lamp {
+        double x, y, z, strength;
+    };
+    renderer->RemoveAllLights();
+    renderer->AutomaticLightCreationOff();
+    for (const Lamp lamp :
+         {Lamp{-0.5, 0.9, 1.0, 0.72}, Lamp{0.9, 0.1, 0.8, 0.34}, Lamp{0, -0.8, 0.5, 0.12}}) {
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToCameraLight();
+        light->SetPosition(lamp.x, lamp.y, lamp.z);
+        light->SetFocalPoint(0, 0, 0);
+        light->SetIntensity(lamp.strength);
+        renderer->AddLight(light);
+    }
+}
+
+} // namespace
+
+Scene::Scene() {
+    m_renderer->SetLayer(0);
+    m_renderer->GradientBackgroundOn();
+    m_renderer->AddActor(m_surface.actor());
+    m_renderer->AddActor(m_half1.actor());
+    m_renderer->AddActor(m_half2.actor());
+    m_renderer->AddActor(m_plane.sheet());
+    m_renderer->AddActor(m_plane.outline());
+    m_renderer->AddActor(m_plane.partingLine());
+    m_renderer->AddActor(m_arrow1.actor());
+    m_renderer->AddActor(m_arrow2.actor());
+    m_overlay.addTo(m_renderer);
+    addLights(m_renderer);
+    setLook(m_colours, m_scale);
+    updateVisibility();
+}
+
+Scene::~Scene() = default;
+
+void Scene::showIn(vtkRenderWindow* window, bool withCube) {
+    window->SetMultiSamples(0);
+    window->SetNumberOfLayers(2);
+    window->AddRenderer(m_renderer);
+    if (withCube)
+        window->AddRenderer(m_cube.renderer());
+}
+
+void Scene::setLook(const SceneColours& colours, double scale) {
+    m_colours = colours;
+    m_scale = scale;
+    m_renderer->SetBackground(colours.viewBottom.unit().data());
+    m_renderer->SetBackground2(colours.viewTop.unit().data());
+    m_plane.setColours(colours, scale);
+    m_arrow1.setColour(colours.side1);
+    m_arrow2.setColour(colours.side2);
+    m_cube.setLook(colours, m_words, scale);
+    m_overlay.setColours(colours, scale);
+}
+
+void Scene::setCubeWords(const CubeWords& words) {
+    m_words = words;
+    m_cube.setLook(m_colours, words, m_scale);
+}
+
+void Scene::setSurface(const SharedMesh& mesh, std::span<const Rgb> faceColours) {
+    m_surface.setMesh(mesh, m_colours.part);
+    m_surface.setFaceColours(faceColours);
+    m_surfaceBox = mesh ? boundingBox(*mesh) : Eigen::AlignedBox3d();
+    placePlane();
+    updateVisibility();
+}
+
+void Scene::setFaceColours(std::span<const Rgb> faceColours) {
+    m_surface.setFaceColours(faceColours);
+}
+
+void Scene::setSurfaceVisible(bool visible) {
+    m_surfaceVisible = visible;
+    updateVisibility();
+}
+
+void Scene::setState(const std::optional<MoldState>& state) {
+    m_state = state;
+    placePlane();
+    updateVisibility();
+}
+
+void Scene::setPlaneVisible(bool visible) {
+    m_planeVisible = visible;
+    updateVisibility();
+}
+
+void Scene::setDirectionsVisible(bool visible) {
+    m_directionsVisible = visible;
+    updateVisibility();
+}
+
+void Scene::setGrips(bool shown, std::optional<PlaneGrip> held) {
+    m_gripsShown = shown;
+    m_heldGrip = held;
+    updateVisibility();
+}
+
+void Scene::placePlane() {
+    if (!m_state)
+        return;
+    m_plane.setPlane(rectangle());
+    if (m_surface.mesh())
+        m_plane.setPartingLine(*m_surface.mesh(), m_state->plane);
+    else
+        m_plane.clearPartingLine();
+    placeArrows();
+}
+
+PlaneRectangle Scene::rectangle() const {
+    return planeRectangle(m_state ? m_state->plane : PartingPlane{}, m_surfaceBox);
+}
+
+Eigen::Vector3d Scene::arrowTail(int side) const {
+    const Eigen::Vector3d& d = m_state->directions.of(side);
+    // Half the part's extent along d, so that the arrow always starts just outside it.
+    const double reach = m_surfaceBox.isEmpty() ? 0 : m_surfaceBox.sizes().dot(d.cwiseAbs()) / 2;
+    const Eigen::Vector3d middle =
+        m_surfaceBox.isEmpty() ? Eigen::Vector3d::Zero().eval() : m_surfaceBox.center().eval();
+    return middle + 1.08 * reach * d;
+}
+
+Eigen::Vector3d Scene::arrowTip(int side) const {
+    if (!m_state)
+        return Eigen::Vector3d::Zero();
+    const double length = arrowShare * (m_surfaceBox.isEmpty() ? 1 : m_surfaceBox.sizes().norm());
+    return arrowTail(side) + length * m_state->directions.of(side);
+}
+
+void Scene::placeArrows() {
+    const double length = arrowShare * (m_surfaceBox.isEmpty() ? 1 : m_surfaceBox.sizes().norm());
+    m_arrow1.set(arrowTail(1), m_state->directions.d1, length);
+    m_arrow2.set(arrowTail(2), m_state->directions.d2, length);
+}
+
+void Scene::updateVisibility() {
+    const bool plane = m_state && m_planeVisible && !m_surfaceBox.isEmpty();
+    const bool arrows = m_state && m_directionsVisible && !m_surfaceBox.isEmpty();
+    m_surface.actor()->SetVisibility(m_surface.mesh() && m_surfaceVisible);
+    m_plane.sheet()->SetVisibility(plane);
+    m_plane.outline()->SetVisibility(plane);
+    m_plane.partingLine()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);
+    m_arrow1.actor()->SetVisibility(arrows);
+    m_arrow2.actor()->SetVisibility(arrows);
+    std::vector<Eigen::Vector3d> grips;
+    int held = -1;
+    if (plane && m_gripsShown)
+        for (const PlaneGrip grip : planeGrips) {
+            if (m_heldGrip == grip)
+                held = static_cast<int>(grips.size());
+            grips.push_back(gripPlace(rectangle(), grip));
+        }
+    m_overlay.setGrips(grips, held);
+}
+
+void Scene::setHalves(const SharedMesh& half1, const SharedMesh& half2, const Eigen::Isometry3d& moldToPart,
+                      const Directions& directions) {
+    if (half1)
+        m_half1.set(half1, moldToPart, directions.d1, m_colours.half1);
+    else
+        m_half1.clear();
+    if (half2)
+        m_half2.set(half2, moldToPart, directions.d2, m_colours.half2);
+    else
+        m_half2.clear();
+}
+
+void Scene::setOpening(double opening) {
+    const double size = m_surfaceBox.isEmpty() ? 1 : m_surfaceBox.sizes().norm();
+    m_half1.open(opening * openShare * size);
+    m_half2.open(opening * openShare * size);
+}
+
+Eigen::AlignedBox3d Scene::box() const {
+    Eigen::AlignedBox3d all;
+    if (m_surfaceVisible)
+        all.extend(m_surfaceBox);
+    all.extend(m_half1.box());
+    all.extend(m_half2.box());
+    if (m_state && m_directionsVisible && !m_surfaceBox.isEmpty()) {
+        all.extend(arrowTip(1));
+        all.extend(arrowTip(2));
+    }
+    return all;
+}
+
+void Scene::arrange(const Camera& camera, ViewSize view) {
+    vtkCamera* eye = m_renderer->GetActiveCamera();
+    eye->SetParallelProjection(!camera.perspective);
+    eye->SetViewAngle(camera.viewAngle);
+    eye->SetParallelScale(camera.halfHeight());
+    // A parallel camera may stand anywhere along its line of sight: far back, so that nothing is cut off.
+    const double back = camera.perspective ? 0 : 50 * camera.distance;
+    eye->SetPosition(Eigen::Vector3d(camera.position() + back * camera.backwards()).data());
+    eye->SetFocalPoint(camera.focus.data());
+    eye->SetViewUp(camera.up().data());
+    m_renderer->ResetCameraClippingRange();
+    m_cube.arrange(camera, view);
+    m_overlay.arrange(camera, view);
+}
+
+} // namespace moldwright::scene
