@@ -16,24 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A rational τ ≥ sin(draft): sin of the rounded radians is within 3 ulps of the true value.
-double toleranceAtLeastSine(double draft) {
-    double tau = std::sin(radians(draft));
-    for (int ulp = 0; ulp < 4 && tau > 0; ++ulp)
-        tau = std::nextafter(tau, 2.0);
-    return tau;
-}
-
-/// How far off the plane a point may lie and still count as on it: 4 ulps of a float as large as the largest
-/// coordinate, which is what rounding to floats can move a point by, with room.
-double onPlaneTolerance(const IndexedMesh& cast) {
-    const auto largest = static_cast<float>(cast.V.size() == 0 ? 0.0 : cast.V.cwiseAbs().maxCoeff());
-    return 4.0 * (std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest);
-}
-
 std::vector<int> facesBelowDraft(const IndexedMesh& cast, const SideLabels& labels, const Directions& d,
                                  double draft) {
-    const double tau = toleranceAtLeastSine(draft);
+    const double tau = provableTolerance(draft);
     std::vector<int> below;
     for (int f = 0; f < cast.faceCount(); ++f) {
         const int side = labels[static_cast<std::size_t>(f)];
@@ -101,6 +86,19 @@ std::string reasonOf(const Certificate& c, std::size_t faces) {
 }
 
 } // namespace
+
+double provableTolerance(double draftDegrees) {
+    // sin of the rounded radians is within 3 ulps of the true value.
+    double tau = std::sin(radians(draftDegrees));
+    for (int ulp = 0; ulp < 4 && tau > 0; ++ulp)
+        tau = std::nextafter(tau, 2.0);
+    return tau;
+}
+
+double onPlaneTolerance(const IndexedMesh& cast) {
+    const auto largest = static_cast<float>(cast.V.size() == 0 ? 0.0 : cast.V.cwiseAbs().maxCoeff());
+    return 4.0 * (std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest);
+}
 
 Certificate certify(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
                     double draftDegrees) {

@@ -14,7 +14,8 @@ struct Certificate {
     bool closedAndOutward = false; ///< closed, manifold, positive volume
     bool directionsLeave = false;  ///< d1·n > 0 and d2·n < 0
     bool draftHolds = false;       ///< every face of side i: N·d_i ≥ sin(draft), exactly
-    bool curvesOnPlane = false;    ///< parting-curve points within 4 float ulps of the plane
+    bool curvesOnPlane =
+        false; ///< no face on the wrong side: parting curves within 4 float ulps of the plane
     bool curvesSimpleAndNested =
         false; ///< along d1 and along d2: simple, not crossing, alternating with nesting
     bool selfIntersectionFree = false; ///< no two faces cross (exact predicates)
@@ -27,6 +28,13 @@ struct Certificate {
                selfIntersectionFree;
     }
 };
+
+/// τ for a draft angle: a double a few ulps above sin(draft), so that exact tests against it prove the angle.
+[[nodiscard]] double provableTolerance(double draftDegrees);
+
+/// How far off a plane a point of `cast` may lie and still count as on it, mm: 4 ulps of a float as large as
+/// the largest coordinate, which is what rounding to floats can move a point by, with room.
+[[nodiscard]] double onPlaneTolerance(const IndexedMesh& cast);
 
 /// Proves in exact arithmetic, on the coordinates as given (round to float first for what an STL holds), that
 /// `cast` is castable in `state` with the draft angle. For each face of label i with c = (b−a)×(c−a): c·d_i >

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -61,8 +63,11 @@ using SideLabels = std::vector<std::uint8_t>;
     return degrees(std::asin(std::clamp(NdotD, -1.0, 1.0)));
 }
 
-/// Rigid motion that takes the plane to z = 0, side 1 up: x ↦ R(x − n·o). The same rotation for the same
-/// normal.
+/// Two unit vectors x, y in a plane of unit normal n so that (x, y, n) is a right-handed frame; the same for
+/// the same n.
+[[nodiscard]] std::array<Eigen::Vector3d, 2> planeAxes(const Eigen::Vector3d& n);
+
+/// Rigid motion that takes the plane to z = 0, side 1 up; its axes are planeAxes().
 [[nodiscard]] Eigen::Isometry3d planeFrame(const PartingPlane& plane);
 
 } // namespace moldwright

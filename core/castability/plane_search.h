@@ -33,8 +33,18 @@ struct PlaneCandidate {
 [[nodiscard]] std::vector<PlaneCandidate> findPlanes(const IndexedMesh& mesh, const PlaneSearch& search,
                                                      const Task& task = {});
 
-/// Directions of least energy for a given plane, within the tilt cap, d1·n > 0 and d2·n < 0 by construction.
-[[nodiscard]] Directions bestDirections(const IndexedMesh& mesh, const PartingPlane& plane,
-                                        double draftDegrees, double maxTiltDegrees);
+/// The parting planes that lie on a flat back: a plane face patch of at least 1 % of the surface with all of
+/// the part on one side of it; n looks into the part, so that side 2 is the flat face alone.
+[[nodiscard]] std::vector<PartingPlane> flatBackPlanes(const IndexedMesh& mesh);
+
+/// Derivatives of a volume with respect to the plane's normal (in ℝ³) and offset.
+struct VolumeGradient {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    double offset = 0;
+};
+
+/// Volume on side 1 of the plane, mm³, of a closed mesh; and its derivatives if wanted.
+[[nodiscard]] double volumeAbove(const IndexedMesh& mesh, const PartingPlane& plane,
+                                 VolumeGradient* gradient = nullptr);
 
 } // namespace moldwright

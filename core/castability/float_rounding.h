@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/mold_state.h"
+#include "mesh/indexed_mesh.h"
+
+namespace moldwright {
+
+/// `mesh` with every coordinate rounded to a float so that faces keep their draft: to the nearest float at
+/// first; then, for a face that fell below the angle (a sliver turned by rounding), one of its points to
+/// another of the floats next to it, if all faces round that point pass there. Coordinates that are floats
+/// already stay. What is still below the angle afterwards is for the certificate to say.
+[[nodiscard]] IndexedMesh roundKeepingDraft(const IndexedMesh& mesh, const SideLabels& labels,
+                                            const Directions& directions, double draftDegrees);
+
+} // namespace moldwright
