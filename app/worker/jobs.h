@@ -13,4 +13,7 @@ namespace moldwright {
 /// Request: switches, V, F. Answer: V, T, as TetGen gives them.
 [[nodiscard]] Result<std::string> tetrahedralizeJob(const std::string& request);
 
+/// Request: path and name of a mesh file. Answer: V, F, the number of notes and the notes.
+[[nodiscard]] Result<std::string> readMeshJob(const std::string& request);
+
 } // namespace moldwright

@@ -22,6 +22,7 @@ using Job = Result<std::string> (*)(const std::string&);
 
 const std::map<std::string, Job> jobs = {
     {nameOf(WorkerJob::Tetrahedralize), tetrahedralizeJob},
+    {nameOf(WorkerJob::ReadMesh), readMeshJob},
 };
 
 std::string readAll(int file) {

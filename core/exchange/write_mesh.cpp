@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "exchange/mesh_file.h"
+
+#include "mesh/measures.h"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstdint>
+
+namespace moldwright {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary files are written in little-endian order");
+
+template <class T>
+void appendRaw(std::string& out, const T& value) {
+    out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// The shortest text that reads back as exactly this number.
+template <class T>
+void appendText(std::string& out, T value) {
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    out.append(buffer.data(), end);
+}
+
+template <class Row>
+void appendRow(std::string& out, const Row& row, auto offset) {
+    for (Eigen::Index k = 0; k < row.size(); ++k) {
+        out += ' ';
+        appendText(out, row[k] + offset);
+    }
+    out += '\n';
+}
+
+Eigen::Vector3f unitNormal(const IndexedMesh& mesh, int f) {
+    return doubleAreaVector(mesh, f).stableNormalized().cast<float>();
+}
+
+std::string stlBinary(const IndexedMesh& mesh) {
+    std::string out = "Moldwright";
+    out.resize(80, ' ');
+    appendRaw(out, static_cast<std::uint32_t>(mesh.faceCount()));
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const Eigen::Vector3f normal = unitNormal(mesh, f);
+        out.append(reinterpret_cast<const char*>(normal.data()), 3 * sizeof(float));
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector3f p = mesh.corner(f, k).cast<float>();
+            out.append(reinterpret_cast<const char*>(p.data()), 3 * sizeof(float));
+        }
+        appendRaw(out, std::uint16_t{0});
+    }
+    return out;
+}
+
+std::string stlText(const IndexedMesh& mesh) {
+    std::string out = "solid Moldwright\n";
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        out += "facet normal";
+        appendRow(out, unitNormal(mesh, f), 0.0F);
+        out += "outer loop\n";
+        for (int k = 0; k < 3; ++k) {
+            out += "vertex";
+            appendRow(out, mesh.corner(f, k), 0.0);
+        }
+        out += "endloop\nendfacet\n";
+    }
+    return out + "endsolid Moldwright\n";
+}
+
+std::string obj(const IndexedMesh& mesh) {
+    std::string out = "# Moldwright\n";
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        out += 'v';
+        appendRow(out, mesh.V.row(v), 0.0);
+    }
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        out += 'f';
+        appendRow(out, mesh.F.row(f), 1);
+    }
+    return out;
+}
+
+std::string off(const IndexedMesh& mesh) {
+    std::string out =
+        "OFF\n" + std::to_string(mesh.vertexCount()) + ' ' + std::to_string(mesh.faceCount()) + " 0\n";
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        appendRow(out, mesh.V.row(v), 0.0);
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        out += '3';
+        appendRow(out, mesh.F.row(f), 0);
+    }
+    return out;
+}
+
+std::string ply(const IndexedMesh& mesh) {
+    std::string out = "ply\nformat binary_little_endian 1.0\ncomment Moldwright\nelement vertex " +
+                      std::to_string(mesh.vertexCount()) +
+                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                      std::to_string(mesh.faceCount()) +
+                      "\nproperty list uchar int vertex_indices\nend_header\n";
+    out.append(reinterpret_cast<const char*>(mesh.V.data()),
+               static_cast<std::size_t>(mesh.V.size()) * sizeof(double));
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        out += '\3';
+        out.append(reinterpret_cast<const char*>(mesh.F.row(f).data()), 3 * sizeof(int));
+    }
+    return out;
+}
+
+std::string bytesOf(const IndexedMesh& mesh, MeshFormat format) {
+    switch (format) {
+    case MeshFormat::StlBinary:
+        return stlBinary(mesh);
+    case MeshFormat::StlAscii:
+        return stlText(mesh);
+    case MeshFormat::Obj:
+        return obj(mesh);
+    case MeshFormat::Off:
+        return off(mesh);
+    case MeshFormat::Ply:
+        break;
+    }
+    return ply(mesh);
+}
+
+} // namespace
+
+Result<void> writeMesh(const std::filesystem::path& file, const IndexedMesh& mesh, MeshFormat format) {
+    return writeFileAtomically(file, bytesOf(mesh, format));
+}
+
+IndexedMesh roundToFloat(const IndexedMesh& mesh) {
+    return {mesh.V.cast<float>().cast<double>(), mesh.F};
+}
+
+} // namespace moldwright
