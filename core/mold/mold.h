@@ -14,12 +14,14 @@
 
 namespace moldwright {
 
-/// What a plain mold is made of: a block around the cast, parted at the plane. Lengths in mm.
+/// What a plain mold is made of: a block around the cast, parted at the plane. Lengths in mm. Walls of 5 mm
+/// are what open mold generators use for printed molds (range 1.5 to 25 mm).
 struct MoldSettings {
-    double wall = 5;    ///< steel between cavity and each side face
-    double floor = 5;   ///< under the cavity of half 2
-    double ceiling = 5; ///< over the cavity of half 1
-    double step = 1;    ///< block sizes round up to a multiple of this; 0: not rounded
+    double wall = 5;     ///< steel between cavity and each side face
+    double floor = 5;    ///< under the cavity of half 2
+    double ceiling = 5;  ///< over the cavity of half 1
+    double step = 1;     ///< block sizes round up to a multiple of this; 0: not rounded
+    double pressure = 4; ///< bar in the cavity while it fills, for the clamp force; set it to your process
 
     bool operator==(const MoldSettings&) const = default;
 };
@@ -37,13 +39,15 @@ struct Mold {
     MoldHalf half2;
     SharedMesh cast; ///< everything that solidifies, mold's frame, floats
     Eigen::Isometry3d partToMold = Eigen::Isometry3d::Identity();
-    Directions directions;             ///< in the mold's frame
-    double cavityVolume = 0;           ///< mm³
-    double channelVolume = 0;          ///< mm³
-    double partingArea = 0;            ///< mm² enclosed by cavities in the parting plane
-    double minWall = 0;                ///< mm, smallest steel found
-    Certificate castCertificate;       ///< of `cast` as it stands in the mold's frame
-    std::vector<std::string> problems; ///< English; what of mold.md's list does not hold
+    Directions directions;    ///< in the mold's frame
+    double cavityVolume = 0;  ///< mm³
+    double channelVolume = 0; ///< mm³
+    double partingArea = 0;   ///< mm² enclosed by cavities in the parting plane
+    double clampForce = 0;    ///< kN along n: partingArea × pressure × 1.1
+    double minWall = 0;       ///< mm, smallest steel between a cavity and the outside
+    Eigen::Vector3d minWallPlace = Eigen::Vector3d::Zero(); ///< mm, mold's frame: the cavity point it is at
+    Certificate castCertificate;                            ///< of `cast` as it stands in the mold's frame
+    std::vector<std::string> problems;                      ///< English; what of mold.md's list does not hold
 
     [[nodiscard]] bool verified() const { return problems.empty() && castCertificate.holds(); }
 };
