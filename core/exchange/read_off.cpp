@@ -92,9 +92,10 @@ private:
             const std::string_view word = takeWord(m_line);
             const std::optional<long long> index = wholeNumber(word);
             if (!index)
-                return m_builder.refuse(MW_TEXT("exchange", "{0}, {1}: a face of {2} corners needs as many "
-                                                            "numbers of points, but here stands “{3}”."),
-                                        {where(), std::to_string(*corners), shown(word)});
+                return m_builder.refuse(MW_TEXT("exchange",
+                                                "{0}, {1}: a face of {2} corners needs as many numbers "
+                                                "of points. The file may be cut off."),
+                                        {where(), std::to_string(*corners)});
             if (!m_builder.addCorner(*index, where()))
                 return false;
         }

@@ -71,7 +71,7 @@ void readBinary(std::string_view bytes, SoupBuilder& builder) {
                      {std::to_string(spare)});
 }
 
-/// The text form. Only "vertex" and the ends of loops matter; stored normals may be anything.
+/// The text form. Only facets and their vertices matter; stored normals may be anything.
 class TextStl {
 public:
     TextStl(std::string_view bytes, SoupBuilder& builder) : m_lines(bytes), m_builder(builder) {}
@@ -80,12 +80,12 @@ public:
         while (!m_builder.failed() && m_lines.next()) {
             std::string_view line = m_lines.line();
             const std::string keyword = lowerCase(takeWord(line));
-            if (keyword == "vertex")
+            if (keyword == "facet")
+                beginFace();
+            else if (keyword == "vertex")
                 addCorner(line);
-            else if (keyword == "endloop" || keyword == "endfacet")
+            else if (keyword == "endfacet")
                 endFace();
-            else if (keyword == "facet" && m_inFace)
-                refuseUnfinished();
         }
         if (!m_builder.failed() && m_inFace)
             refuseUnfinished();
@@ -94,19 +94,25 @@ public:
 private:
     [[nodiscard]] std::string where() const { return "line " + std::to_string(m_lines.number()); }
 
+    void beginFace() {
+        if (m_inFace)
+            refuseUnfinished();
+        m_inFace = true;
+    }
+
     void addCorner(std::string_view line) {
-        m_inFace =
-            m_builder.addPoint(line, where()) && m_builder.addCorner(m_builder.pointCount() - 1, where());
+        if (m_builder.addPoint(line, where()))
+            m_builder.addCorner(m_builder.pointCount() - 1, where());
     }
 
     void endFace() {
-        if (m_inFace)
-            m_builder.endFace(where());
+        m_builder.endFace(where());
         m_inFace = false;
     }
 
     void refuseUnfinished() {
-        m_builder.refuse(MW_TEXT("exchange", "{0}, {1}: a facet ends too early."), {where()});
+        m_builder.refuse(MW_TEXT("exchange", "{0}, {1}: a facet ends too early. The file may be cut off."),
+                         {where()});
     }
 
     TextLines m_lines;

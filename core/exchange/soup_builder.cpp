@@ -20,6 +20,10 @@ bool SoupBuilder::addPoint(std::string_view line, const std::string& where) {
     for (double& coordinate : point) {
         const std::string_view word = takeWord(line);
         const std::optional<double> value = realNumber(word);
+        if (word.empty())
+            return refuse(
+                MW_TEXT("exchange", "{0}, {1}: a point needs three numbers, but the line ends early."),
+                {where});
         if (!value)
             return refuse(MW_TEXT("exchange", "{0}, {1}: a point needs three finite numbers, but here stands "
                                               "“{2}”."),
