@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QAbstractItemModel>
+#include <QColor>
+#include <QTreeView>
+
+#include <optional>
+#include <vector>
+
+namespace moldwright {
+
+/// One row of the project: what it is, its value, and whether it is seen.
+struct ProjectRow {
+    QString id;      ///< stays the same while the project changes
+    int parent = -1; ///< index of the parent among the rows; parents come first
+    QString iconName;
+    std::optional<QColor> tint; ///< icon in one colour, for sides
+    QString name;
+    QString value;
+    std::optional<bool> visible; ///< none: has no eye
+    bool strong = false;
+    bool stale = false;
+    bool renamable = false;
+
+    bool operator==(const ProjectRow&) const = default;
+};
+
+/// The project as a tree of name, value and eye. Rows that keep their id keep their place and selection.
+class ProjectModel : public QAbstractItemModel {
+    Q_OBJECT
+public:
+    enum Column { Name, Value, Eye, ColumnCount };
+
+    using QAbstractItemModel::QAbstractItemModel;
+
+    void setRows(const std::vector<ProjectRow>& rows);
+    [[nodiscard]] const ProjectRow& row(const QModelIndex& index) const { return m_rows[index.internalId()]; }
+    [[nodiscard]] QModelIndex indexOf(const QString& id) const;
+
+    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+Q_SIGNALS:
+    void renamed(const QString& id, const QString& name);
+
+private:
+    [[nodiscard]] std::vector<int> childrenOf(int parent) const;
+
+    std::vector<ProjectRow> m_rows;
+};
+
+/// The tree in the project dock: 24 px rows, value at the right, an eye to show and hide.
+class ProjectTree : public QTreeView {
+    Q_OBJECT
+public:
+    ProjectTree(ProjectModel* model, QWidget* parent = nullptr);
+
+    void select(const QString& id);
+    [[nodiscard]] QString selectedId() const;
+
+Q_SIGNALS:
+    void chosen(const QString& id);
+    void visibilityToggled(const QString& id);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void toggle(const QModelIndex& index);
+
+    ProjectModel* m_model;
+};
+
+} // namespace moldwright

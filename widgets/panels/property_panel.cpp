@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "panels/property_panel.h"
+
+#include "panels/quantity_spin_box.h"
+#include "theme/icons.h"
+#include "theme/theme.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace moldwright {
+
+namespace {
+
+constexpr int labelWidth = 116;
+constexpr int fieldWidth = 92;
+constexpr int sliderSteps = 1000;
+
+QFrame* hairline(QWidget* parent) {
+    auto* line = new QFrame(parent);
+    line->setFixedHeight(1);
+    line->setAutoFillBackground(true);
+    line->setBackgroundRole(QPalette::Midlight);
+    return line;
+}
+
+QLabel* makeLabel(const QString& text, QWidget* parent, bool bold, int pixels = 12) {
+    auto* label = new QLabel(text, parent);
+    QFont font = label->font();
+    font.setBold(bold);
+    font.setPixelSize(pixels);
+    label->setFont(font);
+    return label;
+}
+
+/// A push button that shows an action: text, icon, tool tip, enabled, as the action says.
+QPushButton* actionButton(QAction* action, QWidget* parent, bool primary) {
+    auto* button = new QPushButton(parent);
+    button->setProperty("primary", primary);
+    button->setObjectName(QStringLiteral("button-") + action->objectName());
+    button->setMinimumHeight(28);
+    const auto follow = [button, action, primary] {
+        button->setText(action->text().remove(u'&'));
+        button->setIcon(primary && action->isEnabled()
+                            ? tintedIcon(action->property("iconName").toString(), Qt::white)
+                            : action->icon());
+        button->setEnabled(action->isEnabled());
+        button->setVisible(action->isVisible());
+        button->setToolTip(action->toolTip());
+    };
+    follow();
+    QObject::connect(action, &QAction::changed, button, follow);
+    QObject::connect(button, &QPushButton::clicked, action, [action] { action->trigger(); });
+    return button;
+}
+
+} // namespace
+
+PropertyPanel::PropertyPanel(QWidget* parent) : QScrollArea(parent) {
+    setFrameShape(QFrame::NoFrame);
+    setWidgetResizable(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setMinimumWidth(288);
+    setAccessibleName(tr("Properties"));
+}
+
+void PropertyPanel::showPage(const PropertyPage& page, bool evenIfSame) {
+    if (page.id == m_pageId && !evenIfSame) {
+        setOwner(page.owner);
+        return;
+    }
+    m_pageId = page.id;
+    m_rows.clear();
+    auto* body = new QWidget(this);
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(12, 10, 12, 12);
+    column->setSpacing(6);
+    addHead(page, column);
+    for (const PropertySection& section : page.sections)
+        addSection(section, column);
+    column->addStretch(1);
+    setWidget(body);
+    body->setBackgroundRole(QPalette::Window);
+}
+
+void PropertyPanel::addHead(const PropertyPage& page, QVBoxLayout* column) {
+    auto* head = new QGridLayout;
+    head->setHorizontalSpacing(12);
+    head->setVerticalSpacing(0);
+    auto* picture = new QLabel(this);
+    picture->setPixmap(themeIcon(page.iconName).pixmap(QSize(24, 24), devicePixelRatioF()));
+    head->addWidget(picture, 0, 0, 2, 1);
+    head->addWidget(makeLabel(page.title, this, true, 15), 0, 1);
+    m_owner = makeLabel(page.owner, this, false, 11);
+    m_owner->setForegroundRole(QPalette::PlaceholderText);
+    m_owner->setWordWrap(true);
+    head->addWidget(m_owner, 1, 1);
+    head->setColumnStretch(1, 1);
+    column->addLayout(head);
+}
+
+void PropertyPanel::setOwner(const QString& words) {
+    if (m_owner)
+        m_owner->setText(words);
+}
+
+void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* column) {
+    column->addSpacing(2);
+    column->addWidget(hairline(this));
+    if (!section.title.isEmpty())
+        column->addWidget(makeLabel(section.title, this, true));
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(6);
+    grid->setColumnMinimumWidth(0, labelWidth);
+    grid->setColumnStretch(1, 1);
+    int line = 0;
+    for (const Property& property : section.rows) {
+        Row row;
+        QWidget* editor = std::holds_alternative<NumberProperty>(property.kind)
+                              ? makeNumber(property, std::get<NumberProperty>(property.kind), row)
+                          : std::holds_alternative<ChoiceProperty>(property.kind)
+                              ? makeChoice(property, std::get<ChoiceProperty>(property.kind), row)
+                              : makeReading(row);
+        auto* label = makeLabel(property.label, this, false);
+        label->setToolTip(property.help);
+        label->setBuddy(row.field ? static_cast<QWidget*>(row.field) : row.choice);
+        editor->setToolTip(property.help);
+        grid->addWidget(label, line, 0);
+        grid->addWidget(editor, line, 1);
+        if (row.reading && &property != &section.rows.back())
+            grid->addWidget(hairline(this), ++line, 0, 1, 2);
+        ++line;
+        m_rows[property.id] = row;
+    }
+    column->addLayout(grid);
+    addButtons(section, column);
+}
+
+QWidget* PropertyPanel::makeNumber(const Property& property, const NumberProperty& number, Row& row) {
+    auto* editor = new QWidget(this);
+    auto* line = new QHBoxLayout(editor);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(8);
+    row.number = number;
+    row.field = new QuantitySpinBox(number.unit, number.decimals, editor);
+    row.field->setRange(number.minimum, number.maximum);
+    row.field->setSingleStep(number.step);
+    row.field->setFixedWidth(fieldWidth);
+    row.field->setAccessibleName(property.label);
+    row.field->setObjectName(QStringLiteral("field-") + property.id);
+    const QString id = property.id;
+    connect(row.field, &QDoubleSpinBox::valueChanged, this,
+            [this, id](double value) { Q_EMIT committed(id, value); });
+    if (number.slider) {
+        row.slider = new QSlider(Qt::Horizontal, editor);
+        row.slider->setRange(0, sliderSteps);
+        row.slider->setPageStep(sliderSteps / 10);
+        row.slider->setAccessibleName(property.label);
+        line->addWidget(row.slider, 1);
+        connectSlider(id, row);
+    } else {
+        line->addStretch(1);
+    }
+    line->addWidget(row.field);
+    return editor;
+}
+
+void PropertyPanel::connectSlider(const QString& id, const Row& row) {
+    const auto valueAt = [row](int position) {
+        const NumberProperty& n = row.number;
+        const double exact = n.minimum + (n.maximum - n.minimum) * position / sliderSteps;
+        return std::round(exact / n.step) * n.step;
+    };
+    connect(row.slider, &QSlider::valueChanged, this, [this, id, row, valueAt](int position) {
+        const double value = valueAt(position);
+        const QSignalBlocker quiet(row.field);
+        row.field->setValue(value);
+        if (row.slider->isSliderDown())
+            Q_EMIT previewed(id, value);
+        else
+            Q_EMIT committed(id, value);
+    });
+    connect(row.slider, &QSlider::sliderReleased, this,
+            [this, id, row, valueAt] { Q_EMIT committed(id, valueAt(row.slider->value())); });
+}
+
+QWidget* PropertyPanel::makeChoice(const Property& property, const ChoiceProperty& choice, Row& row) {
+    row.choice = new QComboBox(this);
+    row.choice->addItems(choice.choices);
+    row.choice->setFixedHeight(24);
+    row.choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    row.choice->setMinimumContentsLength(8);
+    row.choice->setAccessibleName(property.label);
+    row.choice->setObjectName(QStringLiteral("choice-") + property.id);
+    const QString id = property.id;
+    connect(row.choice, &QComboBox::activated, this, [this, id](int index) { Q_EMIT committed(id, index); });
+    return row.choice;
+}
+
+QWidget* PropertyPanel::makeReading(Row& row) {
+    auto* editor = new QWidget(this);
+    auto* line = new QHBoxLayout(editor);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(8);
+    row.reading = makeLabel(QStringLiteral("–"), editor, true);
+    row.reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.reading->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    row.goal = makeLabel({}, editor, false);
+    row.goal->setForegroundRole(QPalette::PlaceholderText);
+    row.goal->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.goal->setMinimumWidth(48);
+    line->addWidget(row.reading, 1);
+    line->addWidget(row.goal);
+    return editor;
+}
+
+void PropertyPanel::addButtons(const PropertySection& section, QVBoxLayout* column) {
+    QHBoxLayout* line = nullptr;
+    for (std::size_t i = 0; i < section.buttons.size(); ++i) {
+        const bool first = i == 0 && section.primary;
+        QPushButton* button = actionButton(section.buttons[i], this, first);
+        const bool alone = first && section.buttons.size() % 2 == 1;
+        if (!line || line->count() == 2 || alone) {
+            line = new QHBoxLayout;
+            line->setSpacing(6);
+            column->addLayout(line);
+        }
+        line->addWidget(button, 1);
+        if (alone)
+            line = nullptr;
+    }
+}
+
+void PropertyPanel::setValue(const QString& id, const QVariant& value) {
+    const auto found = m_rows.find(id);
+    if (found == m_rows.end())
+        return;
+    const Row& row = found->second;
+    if (row.field && !row.field->hasFocus()) {
+        const QSignalBlocker quiet(row.field);
+        row.field->setValue(value.toDouble());
+    }
+    if (row.slider && !row.slider->isSliderDown()) {
+        const QSignalBlocker quiet(row.slider);
+        const NumberProperty& n = row.number;
+        row.slider->setValue(static_cast<int>(
+            std::lround((value.toDouble() - n.minimum) / (n.maximum - n.minimum) * sliderSteps)));
+    }
+    if (row.choice) {
+        const QSignalBlocker quiet(row.choice);
+        row.choice->setCurrentIndex(value.toInt());
+    }
+    if (row.reading) {
+        const QStringList words = value.toStringList();
+        row.reading->setText(words.value(0));
+        row.goal->setText(words.value(1));
+    }
+}
+
+void PropertyPanel::setMissesGoal(const QString& id, bool misses) {
+    const auto found = m_rows.find(id);
+    if (found == m_rows.end() || !found->second.reading)
+        return;
+    QPalette palette = found->second.goal->palette();
+    palette.setColor(QPalette::WindowText,
+                     misses ? theme().error : theme().palette.color(QPalette::WindowText));
+    found->second.reading->setPalette(palette);
+}
+
+} // namespace moldwright

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QScrollArea>
+#include <QVariant>
+
+#include <map>
+#include <variant>
+#include <vector>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QSlider;
+class QVBoxLayout;
+
+namespace moldwright {
+
+class QuantitySpinBox;
+
+/// A number with its range; with a slider when it is something one tries out.
+struct NumberProperty {
+    QString unit;
+    double minimum = 0;
+    double maximum = 1;
+    double step = 1;
+    int decimals = 1;
+    bool slider = false;
+};
+
+/// One of several named choices; the value is the index.
+struct ChoiceProperty {
+    QStringList choices;
+};
+
+/// A measured value with the goal beside it. Values are given as QStringList {value, goal}.
+struct ReadingProperty {};
+
+/// One row of the panel.
+struct Property {
+    QString id;
+    QString label;
+    QString help;
+    std::variant<NumberProperty, ChoiceProperty, ReadingProperty> kind;
+};
+
+/// A section: rows, then its buttons, two side by side. The first action of a primary section is the filled
+/// one.
+struct PropertySection {
+    QString title;
+    std::vector<Property> rows;
+    std::vector<QAction*> buttons;
+    bool primary = false;
+};
+
+struct PropertyPage {
+    QString id;
+    QString iconName;
+    QString title;
+    QString owner; ///< what it belongs to, under the title
+    std::vector<PropertySection> sections;
+};
+
+/// Shows and edits what is selected, made from a table. Values preview while a slider is dragged and are
+/// committed once, on release.
+class PropertyPanel : public QScrollArea {
+    Q_OBJECT
+public:
+    explicit PropertyPanel(QWidget* parent = nullptr);
+
+    /// Lays out another page; the same page (id) is kept as it is.
+    void showPage(const PropertyPage& page, bool evenIfSame = false);
+    [[nodiscard]] const QString& pageId() const { return m_pageId; }
+
+    /// Sets what a row shows; tells nobody.
+    void setValue(const QString& id, const QVariant& value);
+
+    /// A reading's value is written in red while it misses its goal.
+    void setMissesGoal(const QString& id, bool misses);
+    void setOwner(const QString& words);
+
+Q_SIGNALS:
+    void previewed(const QString& id, const QVariant& value);
+    void committed(const QString& id, const QVariant& value);
+
+private:
+    struct Row {
+        QuantitySpinBox* field = nullptr;
+        QSlider* slider = nullptr;
+        QComboBox* choice = nullptr;
+        QLabel* reading = nullptr;
+        QLabel* goal = nullptr;
+        NumberProperty number;
+    };
+
+    void addHead(const PropertyPage& page, QVBoxLayout* column);
+    void addSection(const PropertySection& section, QVBoxLayout* column);
+    QWidget* makeNumber(const Property& property, const NumberProperty& number, Row& row);
+    QWidget* makeChoice(const Property& property, const ChoiceProperty& choice, Row& row);
+    QWidget* makeReading(Row& row);
+    void addButtons(const PropertySection& section, QVBoxLayout* column);
+    void connectSlider(const QString& id, const Row& row);
+
+    QString m_pageId;
+    QLabel* m_owner = nullptr;
+    std::map<QString, Row> m_rows;
+};
+
+} // namespace moldwright

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QPixmap>
+#include <QWidget>
+
+#include <vector>
+
+class QAction;
+class QGridLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace moldwright {
+
+/// A bundled part on the start page.
+struct SampleCard {
+    QString file;
+    QString name;
+    QString words;
+    QString picture; ///< file of its picture; may be missing
+};
+
+/// A file used lately.
+struct RecentFile {
+    QString file;
+    QString when;
+};
+
+/// What is seen while no part is open: actions and recent files left, samples right.
+class StartPage : public QWidget {
+    Q_OBJECT
+public:
+    StartPage(QAction* open, const std::vector<SampleCard>& samples, QWidget* parent = nullptr);
+
+    void setRecent(const std::vector<RecentFile>& files);
+
+    /// Puts a picture on the card of this sample.
+    void setPicture(const QString& file, const QPixmap& picture);
+
+Q_SIGNALS:
+    void fileChosen(const QString& file);
+    void sampleChosen(const QString& file, const QString& name);
+    void clearRecent();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    QWidget* makeLeft(QAction* open);
+    QWidget* makeRight(const std::vector<SampleCard>& samples);
+    void arrangeCards();
+
+    QGridLayout* m_grid = nullptr;
+    QVBoxLayout* m_recent = nullptr;
+    QWidget* m_recentHead = nullptr;
+    std::vector<QWidget*> m_cards;
+};
+
+} // namespace moldwright

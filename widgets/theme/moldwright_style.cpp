@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "theme/moldwright_style.h"
+
+#include "theme/theme.h"
+
+#include <QPainter>
+#include <QStyleFactory>
+#include <QStyleOption>
+
+namespace moldwright {
+
+namespace {
+
+/// Fusion draws outlines as Window darkened by 140 %: give it the ground that yields our outline.
+template <class Option>
+Option withOutline(const Option& option) {
+    Option copy = option;
+    copy.palette.setColor(QPalette::Window, theme().outlineSeed);
+    return copy;
+}
+
+void drawFocusRing(QPainter* painter, const QRect& around) {
+    const Theme& t = theme();
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen(t.palette.color(t.dark ? QPalette::Link : QPalette::Highlight), 2));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRoundedRect(QRectF(around).adjusted(1, 1, -1, -1), 3, 3);
+    painter->restore();
+}
+
+bool hasFocusRing(const QStyleOption* option) {
+    return option->state.testFlag(QStyle::State_HasFocus) && option->state.testFlag(QStyle::State_Enabled);
+}
+
+} // namespace
+
+MoldwrightStyle::MoldwrightStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+void MoldwrightStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                                    const QWidget* widget) const {
+    switch (element) {
+    case PE_FrameFocusRect:
+        drawFocusRing(painter, option->rect);
+        return;
+    case PE_FrameLineEdit:
+    case PE_IndicatorCheckBox: {
+        const QStyleOption outlined = withOutline(*option);
+        QProxyStyle::drawPrimitive(element, &outlined, painter, widget);
+        break;
+    }
+    case PE_PanelLineEdit: {
+        if (const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option)) {
+            const QStyleOptionFrame outlined = withOutline(*frame);
+            QProxyStyle::drawPrimitive(element, &outlined, painter, widget);
+            if (frame->lineWidth > 0 && hasFocusRing(option))
+                drawFocusRing(painter, option->rect);
+            return;
+        }
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        break;
+    }
+    case PE_PanelButtonCommand: {
+        if (const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option)) {
+            const QStyleOptionButton outlined = withOutline(*button);
+            QProxyStyle::drawPrimitive(element, &outlined, painter, widget);
+            return;
+        }
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        break;
+    }
+    default:
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+    }
+}
+
+void MoldwrightStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                                         QPainter* painter, const QWidget* widget) const {
+    if (const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option)) {
+        const QStyleOptionSpinBox outlined = withOutline(*spin);
+        QProxyStyle::drawComplexControl(control, &outlined, painter, widget);
+    } else if (const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(option)) {
+        const QStyleOptionComboBox outlined = withOutline(*combo);
+        QProxyStyle::drawComplexControl(control, &outlined, painter, widget);
+    } else if (const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+               slider && control == CC_Slider) {
+        const QStyleOptionSlider outlined = withOutline(*slider);
+        QProxyStyle::drawComplexControl(control, &outlined, painter, widget);
+        return;
+    } else {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+        return;
+    }
+    if (hasFocusRing(option))
+        drawFocusRing(painter, option->rect);
+}
+
+int MoldwrightStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                                 const QWidget* widget) const {
+    switch (metric) {
+    case PM_DockWidgetSeparatorExtent:
+        return 1;
+    case PM_ToolBarItemSpacing:
+        return 4;
+    case PM_ToolBarFrameWidth:
+        return 0;
+    case PM_SmallIconSize:
+        return 16;
+    default:
+        return QProxyStyle::pixelMetric(metric, option, widget);
+    }
+}
+
+} // namespace moldwright

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "view/part_view.h"
+
+#include <QMouseEvent>
+#include <QStyle>
+#include <QWheelEvent>
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace moldwright {
+
+namespace {
+
+constexpr double clickReach = 4;        ///< logical pixels a click may wander
+constexpr double gripReach = 12;        ///< logical pixels about a grip
+constexpr double turnPerPixel = 0.0085; ///< radians
+constexpr double zoomPerPixel = 1.006;
+constexpr double zoomPerNotch = 1.15;
+const Eigen::Vector3d homeDirection(0.75, -1, 0.6);
+
+scene::Held heldNow(Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
+    return {buttons.testFlag(Qt::LeftButton),   buttons.testFlag(Qt::MiddleButton),
+            buttons.testFlag(Qt::RightButton),  keys.testFlag(Qt::ShiftModifier),
+            keys.testFlag(Qt::ControlModifier), keys.testFlag(Qt::AltModifier)};
+}
+
+} // namespace
+
+PartView::PartView(QWidget* parent) : RenderView(parent), m_navigation(&scene::navigationSchemes().front()) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAccessibleName(tr("View of the part"));
+    m_scene.showIn(window());
+    m_camera = scene::lookingFrom(m_camera, homeDirection);
+    m_ease.setStartValue(0.0);
+    m_ease.setEndValue(1.0);
+    m_ease.setDuration(160);
+    m_ease.setEasingCurve(QEasingCurve::OutCubic);
+    connect(&m_ease, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
+        m_camera = scene::between(m_easeFrom, m_easeTo, t.toDouble());
+        update();
+    });
+}
+
+PartView::~PartView() = default;
+
+scene::ViewSize PartView::viewSize() const {
+    return {std::max(1.0, width() * devicePixelRatioF()), std::max(1.0, height() * devicePixelRatioF())};
+}
+
+Eigen::Vector2d PartView::pixel(const QPointF& place) const {
+    return Eigen::Vector2d(place.x(), place.y()) * devicePixelRatioF();
+}
+
+void PartView::aboutToRender(int width, int height) {
+    m_scene.arrange(m_camera, {static_cast<double>(width), static_cast<double>(height)});
+}
+
+void PartView::setCamera(const scene::Camera& camera) {
+    m_ease.stop();
+    m_camera = camera;
+    update();
+}
+
+void PartView::easeTo(const scene::Camera& target) {
+    m_ease.stop();
+    if (!isVisible() || style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) == 0) {
+        setCamera(target);
+        return;
+    }
+    m_easeFrom = m_camera;
+    m_easeTo = target;
+    m_ease.start();
+}
+
+void PartView::setPerspective(bool perspective) {
+    scene::Camera camera = m_camera;
+    camera.perspective = perspective;
+    setCamera(camera);
+}
+
+void PartView::fitAll(bool atOnce) {
+    const scene::Camera fit = scene::fitted(m_camera, m_scene.box(), viewSize());
+    atOnce ? setCamera(fit) : easeTo(fit);
+}
+
+void PartView::frame(const Eigen::AlignedBox3d& box) {
+    easeTo(scene::fitted(m_camera, box, viewSize()));
+}
+
+void PartView::lookFrom(const Eigen::Vector3d& direction) {
+    easeTo(scene::fitted(scene::lookingFrom(m_camera, direction), m_scene.box(), viewSize()));
+}
+
+void PartView::lookHome() {
+    lookFrom(homeDirection);
+}
+
+void PartView::lookFromOpposite() {
+    lookFrom(-m_camera.backwards());
+}
+
+void PartView::setPlaneEditable(bool editable) {
+    m_planeEditable = editable;
+    m_scene.setGrips(editable, m_hovered);
+    update();
+}
+
+void PartView::setPickingFaces(bool picking) {
+    m_pickingFaces = picking;
+    updatePointer();
+}
+
+void PartView::updatePointer() {
+    setCursor(m_pickingFaces                 ? Qt::CrossCursor
+              : m_planeDrag                  ? Qt::ClosedHandCursor
+              : m_hovered && m_planeEditable ? Qt::OpenHandCursor
+                                             : Qt::ArrowCursor);
+}
+
+Eigen::Vector3d PartView::pivotAt(const Eigen::Vector2d& at) const {
+    if (m_picker)
+        if (const auto hit = m_picker->pick(m_camera.rayAt(at.x(), at.y(), viewSize())))
+            return hit->point;
+    const Eigen::AlignedBox3d box = m_scene.box();
+    return box.isEmpty() ? m_camera.focus : box.center().eval();
+}
+
+std::optional<scene::PlaneGrip> PartView::gripUnder(const Eigen::Vector2d& at) const {
+    if (!m_planeEditable || !m_scene.state())
+        return std::nullopt;
+    return scene::gripAt(m_scene.rectangle(), m_camera, viewSize(), at.x(), at.y(),
+                         gripReach * devicePixelRatioF());
+}
+
+QPoint PartView::gripPixel(scene::PlaneGrip grip) const {
+    const Eigen::Vector3d at =
+        m_camera.project(scene::gripPlace(m_scene.rectangle(), grip), viewSize()) / devicePixelRatioF();
+    return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
+}
+
+void PartView::mousePressEvent(QMouseEvent* event) {
+    const Eigen::Vector2d at = pixel(event->position());
+    if (event->buttons() == event->button()) {
+        m_pressed = at;
+        m_dragged = false;
+    }
+    m_last = at;
+    m_pivot = pivotAt(at);
+    if (event->button() == Qt::LeftButton && event->buttons() == Qt::LeftButton)
+        leftPressed(at);
+    else
+        cancelDrag();
+    event->accept();
+}
+
+void PartView::leftPressed(const Eigen::Vector2d& at) {
+    if (const auto direction = m_scene.cube().viewAt(m_camera, viewSize(), at.x(), at.y())) {
+        m_dragged = true; // the cube has had this press
+        lookFrom(*direction);
+        return;
+    }
+    if (const auto grip = gripUnder(at)) {
+        m_planeDrag = scene::PlaneDrag{*m_scene.state(), m_scene.rectangle(), *grip, at.x(), at.y()};
+        updatePointer();
+    }
+}
+
+void PartView::mouseMoveEvent(QMouseEvent* event) {
+    const Eigen::Vector2d at = pixel(event->position());
+    if (event->buttons() == Qt::NoButton) {
+        hover(at);
+        return;
+    }
+    m_dragged = m_dragged || (at - m_pressed).norm() > clickReach * devicePixelRatioF();
+    if (m_planeDrag)
+        dragPlane(at, event->modifiers().testFlag(Qt::ControlModifier));
+    else if (m_dragged)
+        moveCamera(m_navigation->motionFor(heldNow(event->buttons(), event->modifiers())), m_last, at);
+    m_last = at;
+    event->accept();
+}
+
+void PartView::hover(const Eigen::Vector2d& at) {
+    const auto grip = gripUnder(at);
+    if (grip == m_hovered)
+        return;
+    m_hovered = grip;
+    m_scene.setGrips(m_planeEditable, grip);
+    updatePointer();
+    update();
+}
+
+void PartView::leaveEvent(QEvent* event) {
+    if (m_hovered && !m_planeDrag) {
+        m_hovered.reset();
+        m_scene.setGrips(m_planeEditable, m_hovered);
+        update();
+    }
+    RenderView::leaveEvent(event);
+}
+
+void PartView::dragPlane(const Eigen::Vector2d& to, bool coarse) {
+    if (m_dragged)
+        Q_EMIT planePreviewed(m_planeDrag->moved(m_camera, viewSize(), to.x(), to.y(), coarse));
+}
+
+void PartView::moveCamera(scene::Motion motion, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    const Eigen::Vector2d way = (to - from) / devicePixelRatioF();
+    switch (motion) {
+    case scene::Motion::Orbit:
+        setCamera(scene::orbited(m_camera, m_pivot, -way.x() * turnPerPixel, -way.y() * turnPerPixel));
+        break;
+    case scene::Motion::Pan:
+        setCamera(scene::panned(m_camera, to.x() - from.x(), to.y() - from.y(), viewSize()));
+        break;
+    case scene::Motion::Zoom:
+        setCamera(scene::zoomedAt(m_camera, std::pow(zoomPerPixel, -way.y()), m_pressed.x(), m_pressed.y(),
+                                  viewSize()));
+        break;
+    case scene::Motion::None:
+        break;
+    }
+}
+
+void PartView::mouseReleaseEvent(QMouseEvent* event) {
+    const Eigen::Vector2d at = pixel(event->position());
+    if (event->button() == Qt::LeftButton && m_planeDrag) {
+        const scene::PlaneDrag drag = *m_planeDrag;
+        m_planeDrag.reset();
+        updatePointer();
+        if (m_dragged)
+            Q_EMIT planeCommitted(drag.moved(m_camera, viewSize(), at.x(), at.y(),
+                                             event->modifiers().testFlag(Qt::ControlModifier)));
+    } else if (event->button() == Qt::LeftButton && !m_dragged && m_pickingFaces && m_picker) {
+        if (const auto hit = m_picker->pick(m_camera.rayAt(at.x(), at.y(), viewSize())))
+            Q_EMIT faceClicked(hit->face);
+    } else if (event->button() == Qt::RightButton && !m_dragged) {
+        Q_EMIT menuRequested(event->globalPosition().toPoint());
+    }
+    event->accept();
+}
+
+bool PartView::cancelDrag() {
+    if (!m_planeDrag)
+        return false;
+    m_planeDrag.reset();
+    m_dragged = true;
+    updatePointer();
+    Q_EMIT planeDragCancelled();
+    return true;
+}
+
+void PartView::wheelEvent(QWheelEvent* event) {
+    const Eigen::Vector2d at = pixel(event->position());
+    const scene::Motion motion = m_navigation->wheelFor(heldNow(event->buttons(), event->modifiers()));
+    const QPoint fine = event->pixelDelta();
+    const Eigen::Vector2d way = fine.isNull()
+                                    ? Eigen::Vector2d(event->angleDelta().x(), event->angleDelta().y()) / 4
+                                    : Eigen::Vector2d(fine.x(), fine.y());
+    if (motion == scene::Motion::Zoom) {
+        const double notches = fine.isNull() ? event->angleDelta().y() / 120.0 : fine.y() / 60.0;
+        setCamera(scene::zoomedAt(m_camera, std::pow(zoomPerNotch, notches), at.x(), at.y(), viewSize()));
+    } else {
+        m_pivot = pivotAt(at);
+        moveCamera(motion, at, at + way * devicePixelRatioF());
+    }
+    event->accept();
+}
+
+} // namespace moldwright

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "scene/navigation.h"
+#include "scene/scene.h"
+#include "scene/surface_picker.h"
+#include "view/render_view.h"
+
+#include <QPoint>
+#include <QVariantAnimation>
+
+#include <memory>
+#include <optional>
+
+namespace moldwright {
+
+/// One view of the part: turns mouse and wheel into camera moves after the chosen navigation scheme, and the
+/// left button into what the tool does. It changes nothing but its camera; what the user wants is told by
+/// signals.
+class PartView : public RenderView {
+    Q_OBJECT
+public:
+    explicit PartView(QWidget* parent = nullptr);
+    ~PartView() override;
+
+    [[nodiscard]] scene::Scene& scene() { return m_scene; }
+
+    void setNavigation(const scene::NavigationScheme& scheme) { m_navigation = &scheme; }
+    void setPicker(std::shared_ptr<const scene::SurfacePicker> picker) { m_picker = std::move(picker); }
+
+    /// Whether the plane's grips are shown and can be dragged.
+    void setPlaneEditable(bool editable);
+
+    /// While on, a click on the surface is told by faceClicked(), under a crossing pointer.
+    void setPickingFaces(bool picking);
+    [[nodiscard]] bool pickingFaces() const { return m_pickingFaces; }
+
+    [[nodiscard]] const scene::Camera& camera() const { return m_camera; }
+    void setPerspective(bool perspective);
+
+    /// The camera eases to where all is in sight.
+    void fitAll(bool atOnce = false);
+    void lookFrom(const Eigen::Vector3d& direction);
+    void lookHome();
+    /// To the other side of what is in view.
+    void lookFromOpposite();
+    void frame(const Eigen::AlignedBox3d& box);
+
+    /// Gives up a drag of the plane; returns whether there was one.
+    bool cancelDrag();
+
+    /// A pixel of this widget where the plane's grip is, for tests and tours.
+    [[nodiscard]] QPoint gripPixel(scene::PlaneGrip grip) const;
+
+Q_SIGNALS:
+    void planePreviewed(const moldwright::MoldState& state);
+    void planeCommitted(const moldwright::MoldState& state);
+    void planeDragCancelled();
+    void faceClicked(int face);
+    void menuRequested(const QPoint& globalPlace);
+
+protected:
+    void aboutToRender(int width, int height) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] scene::ViewSize viewSize() const;
+    [[nodiscard]] Eigen::Vector2d pixel(const QPointF& place) const;
+    [[nodiscard]] Eigen::Vector3d pivotAt(const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] std::optional<scene::PlaneGrip> gripUnder(const Eigen::Vector2d& pixel) const;
+    void leftPressed(const Eigen::Vector2d& at);
+    void moveCamera(scene::Motion motion, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
+    void dragPlane(const Eigen::Vector2d& to, bool coarse);
+    void hover(const Eigen::Vector2d& at);
+    void easeTo(const scene::Camera& target);
+    void setCamera(const scene::Camera& camera);
+    void updatePointer();
+
+    scene::Scene m_scene;
+    scene::Camera m_camera;
+    const scene::NavigationScheme* m_navigation;
+    std::shared_ptr<const scene::SurfacePicker> m_picker;
+    QVariantAnimation m_ease;
+    scene::Camera m_easeFrom;
+    scene::Camera m_easeTo;
+    bool m_planeEditable = false;
+    bool m_pickingFaces = false;
+    std::optional<scene::PlaneDrag> m_planeDrag;
+    std::optional<scene::PlaneGrip> m_hovered;
+    Eigen::Vector2d m_pressed = Eigen::Vector2d::Zero();
+    Eigen::Vector2d m_last = Eigen::Vector2d::Zero();
+    Eigen::Vector3d m_pivot = Eigen::Vector3d::Zero();
+    bool m_dragged = false; ///< the pointer went far enough that the press is no click
+};
+
+} // namespace moldwright
