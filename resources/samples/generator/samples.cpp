@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "samples.h"
+
+namespace moldwright::samples {
+
+std::vector<Sample> allSamples() {
+    return {goatHead(), rabbit(), goat(), hand(), fish(), bentBeam(), doorKnob(), praline()};
+}
+
+IndexedMesh makeMesh(const Sample& sample) {
+    return remesh(contour(sample.solid, sample.fineness.shortest), sample.solid, sample.fineness);
+}
+
+} // namespace moldwright::samples
