@@ -37,7 +37,7 @@ double enclosedArea(const IndexedMesh& cast, const std::vector<PartingCurve>& cu
     return doubled / 2;
 }
 
-std::vector<std::string> problemsOf(const Mold& mold, const Block& block, double draftDegrees) {
+std::vector<std::string> problemsOf(const Mold& mold, const Block& block) {
     std::vector<std::string> problems;
     if (!mold.castCertificate.holds())
         problems.push_back("The cast in the mold's frame is not certified. " + mold.castCertificate.reason);
@@ -45,7 +45,7 @@ std::vector<std::string> problemsOf(const Mold& mold, const Block& block, double
         const IndexedMesh& half = *(side == 1 ? mold.half1 : mold.half2).mesh;
         const IndexedMesh& other = *(side == 1 ? mold.half2 : mold.half1).mesh;
         const HalfRelease release =
-            examineRelease(half, other, *mold.cast, mold.directions.of(side), draftDegrees);
+            examineRelease(half, other, *mold.cast, mold.directions.of(side), mold.draftDegrees);
         const std::string name = "Half " + std::to_string(side);
         if (!release.sound)
             problems.push_back(name + " is not one closed solid free of self-intersection.");
@@ -69,6 +69,8 @@ Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels, const 
     task.progress(0, "Place the cast");
     const PlacedCast placed = placeCast(cast, labels, state, draftDegrees);
     Mold mold;
+    mold.settings = settings;
+    mold.draftDegrees = draftDegrees;
     mold.partToMold = placed.fromPart;
     mold.directions = placed.state.directions;
     mold.castCertificate = certify(placed.mesh, labels, placed.state, draftDegrees);
@@ -100,7 +102,7 @@ Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels, const 
         return failure(ErrorCode::Cancelled, MW_TEXT("Mold", "Building the mold was cancelled."));
 
     task.progress(0.6, "Prove the halves");
-    mold.problems = problemsOf(mold, block, draftDegrees);
+    mold.problems = problemsOf(mold, block);
     task.progress(1, "Prove the halves");
     return mold;
 }

@@ -37,7 +37,9 @@ struct MoldHalf {
 struct Mold {
     MoldHalf half1;
     MoldHalf half2;
-    SharedMesh cast; ///< everything that solidifies, mold's frame, floats
+    MoldSettings settings;   ///< what it was built with
+    double draftDegrees = 1; ///< what was to be proved
+    SharedMesh cast;         ///< everything that solidifies, mold's frame, floats
     Eigen::Isometry3d partToMold = Eigen::Isometry3d::Identity();
     Directions directions;    ///< in the mold's frame
     double cavityVolume = 0;  ///< mm³

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "mold/mold.h"
+
+#include <filesystem>
+#include <string>
+
+namespace moldwright {
+
+/// Writes mold-half-1.stl, mold-half-2.stl, mold-cast.stl (mold's frame), mold.3mf (halves and cast side by
+/// side on a plate, parting faces up) and mold.json into `folder`, which is made when missing. Each file
+/// appears whole or not at all. Errors: WriteFailed.
+[[nodiscard]] Result<void> writeMold(const Mold& mold, const std::string& partName,
+                                     const std::filesystem::path& folder);
+
+/// mold.json: what the mold is and what was proved of it. Keys are a contract of the command line; lengths in
+/// mm, volumes in mm³, areas in mm², force in kN, angles in degrees.
+[[nodiscard]] std::string moldJson(const Mold& mold);
+
+} // namespace moldwright
