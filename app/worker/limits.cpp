@@ -19,6 +19,8 @@ void limit(__rlimit_resource resource, std::int64_t amount) {
 
 void limitThisProcess(std::int64_t megabytes, std::int64_t seconds) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // Ctrl+C in a terminal reaches every program there; the one that asked decides what becomes of this one.
+    std::signal(SIGINT, SIG_IGN);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, seconds);
     if (!sanitized)

@@ -42,17 +42,29 @@ struct MeshDiagnosis {
 /// Faces whose corners lie on one line, exactly, in ascending order.
 [[nodiscard]] std::vector<int> flatFaces(const IndexedMesh& mesh);
 
-/// A mesh that can be designed with, and what was done to make it so.
-struct PreparedMesh {
+/// A mesh after everything that can be mended without a choice was mended, and what is true of it then.
+struct Examination {
     IndexedMesh mesh;
     std::vector<Message> repairs; ///< "5 equal points were welded.", "442 faces were turned.", …
     std::vector<Message> notes;   ///< what is unusual but allowed: "It consists of 2 separate solids."
+    MeshDiagnosis diagnosis;      ///< of `mesh`
+    std::vector<Error> faults;    ///< why it cannot be designed with, the gravest first; none: it can
 };
 
 /// Drops unused points, welds equal points (near ones too, within 1e-6 of the diagonal, where that closes an
 /// open surface), drops repeated faces and faces that use a point twice, turns faces so that all look
-/// outward; then requires usable(). Nothing else is changed. `name` is the file's name for messages. Errors:
-/// BadInput saying what is wrong, how many and where (faces: of the mesh as given; places).
+/// outward. Nothing else is changed. `name` is the file's name for messages. Faults are BadInput, saying what
+/// is wrong, how many and where (faces: of the mesh as given; places).
+[[nodiscard]] Examination examine(const IndexedMesh& mesh, const std::string& name);
+
+/// A mesh that can be designed with, and what was done to make it so.
+struct PreparedMesh {
+    IndexedMesh mesh;
+    std::vector<Message> repairs;
+    std::vector<Message> notes;
+};
+
+/// What examine() makes of `mesh`, if it is usable() then. Errors: BadInput, the gravest fault.
 [[nodiscard]] Result<PreparedMesh> prepare(const IndexedMesh& mesh, const std::string& name);
 
 } // namespace moldwright

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 namespace moldwright {
 
@@ -84,6 +85,8 @@ public:
             *this = std::move(trial);
     }
 
+    void dropUnusedPoints() { m_mesh = withoutUnusedPoints(m_mesh).mesh; }
+
     /// The faces that contradict each other, if the surface has one side only.
     std::vector<int> orient() {
         if (!EdgeTable(m_mesh.F).closedManifold())
@@ -99,16 +102,13 @@ public:
 
     [[nodiscard]] const IndexedMesh& mesh() const { return m_mesh; }
 
+    [[nodiscard]] std::vector<Message>& repairs() { return m_repairs; }
+
     /// `error`, with the faces it names as they were given.
-    [[nodiscard]] std::unexpected<Error> refuse(Error error) const {
+    [[nodiscard]] Error asGiven(Error error) const {
         for (int& f : error.faces)
             f = m_origin[static_cast<std::size_t>(f)];
-        return std::unexpected(std::move(error));
-    }
-
-    PreparedMesh finish() && {
-        m_mesh = withoutUnusedPoints(m_mesh).mesh;
-        return {std::move(m_mesh), std::move(m_repairs), {}};
+        return error;
     }
 
 private:
@@ -150,51 +150,69 @@ private:
     std::vector<Message> m_repairs;
 };
 
-std::unexpected<Error> refused(std::string text, std::vector<std::string> arguments) {
-    return failure(ErrorCode::BadInput, std::move(text), std::move(arguments));
+Error refused(std::string text, std::vector<std::string> arguments) {
+    return {ErrorCode::BadInput, {std::move(text), std::move(arguments)}, {}, {}};
 }
 
-/// What can be said before anything is welded.
-Result<void> hasSize(const IndexedMesh& mesh, const std::string& name) {
+/// What can be said before anything is mended, if that is the end of it.
+std::optional<Error> sizeRefusal(const IndexedMesh& mesh, const std::string& name) {
     if (mesh.faceCount() == 0)
         return refused(MW_TEXT("mesh", "{0} holds no faces."), {name});
     if (!mesh.V.allFinite())
         return refused(MW_TEXT("mesh", "{0} holds a coordinate that is not a finite number."), {name});
     const double size = diagonal(mesh);
-    if (!(size >= smallestDiagonal && size <= largestDiagonal))
-        return refused(MW_TEXT("mesh",
-                               "{0} measures {1} from corner to corner. No unit of length makes a part of "
-                               "that."),
-                       {name, readable(size)});
-    return {};
+    if (size >= smallestDiagonal && size <= largestDiagonal)
+        return std::nullopt;
+    return refused(
+        MW_TEXT("mesh", "{0} measures {1} from corner to corner. No unit of length makes a part of that."),
+        {name, readable(size)});
+}
+
+std::optional<Error> collapseRefusal(int given, int left, const std::string& name) {
+    if (2 * left >= given)
+        return std::nullopt;
+    return refused(
+        MW_TEXT("mesh", "{0} of the {1} faces of {2} shrink to a line or a point. Its numbers have too few "
+                        "digits for its size or its place: write it with more digits, or nearer to the "
+                        "origin."),
+        {std::to_string(given - left), std::to_string(given), name});
 }
 
 } // namespace
 
-Result<PreparedMesh> prepare(const IndexedMesh& mesh, const std::string& name) {
-    if (const Result<void> size = hasSize(mesh, name); !size)
-        return std::unexpected(size.error());
+Examination examine(const IndexedMesh& mesh, const std::string& name) {
+    if (std::optional<Error> reason = sizeRefusal(mesh, name))
+        return {mesh, {}, {}, {}, {std::move(*reason)}};
     Preparation preparation(mesh);
     preparation.weldEqual();
     preparation.dropCollapsedFaces();
-    if (const int left = preparation.mesh().faceCount(); 2 * left < mesh.faceCount())
-        return refused(
-            MW_TEXT("mesh", "{0} of the {1} faces of {2} shrink to a line or a point. Its numbers have too "
-                            "few digits for its size or its place: write it with more digits, or nearer "
-                            "to the origin."),
-            {std::to_string(mesh.faceCount() - left), std::to_string(mesh.faceCount()), name});
+    if (std::optional<Error> reason = collapseRefusal(mesh.faceCount(), preparation.mesh().faceCount(), name))
+        return {mesh, {}, {}, {}, {std::move(*reason)}};
     preparation.dropRepeatedFaces();
     preparation.weldNearIfThatCloses();
-    if (const std::vector<int> oneSided = preparation.orient(); !oneSided.empty())
-        return preparation.refuse(oneSidedRefusal(preparation.mesh(), oneSided, name));
-    const MeshDiagnosis found = diagnose(preparation.mesh());
-    if (std::optional<Error> reason = refusal(preparation.mesh(), found, name))
-        return preparation.refuse(std::move(*reason));
-    PreparedMesh prepared = std::move(preparation).finish();
-    if (found.components > 1)
-        prepared.notes.push_back({MW_TEXT("mesh", "{0} consists of {1} separate solids."),
-                                  {name, std::to_string(found.components)}});
-    return prepared;
+    const std::vector<int> oneSided = preparation.orient();
+    preparation.dropUnusedPoints();
+
+    Examination result;
+    result.mesh = preparation.mesh();
+    result.diagnosis = diagnose(result.mesh);
+    // Of a one-sided surface neither inside nor volume mean anything.
+    std::vector<Error> faults = oneSided.empty() ? refusals(result.mesh, result.diagnosis, name)
+                                                 : std::vector{oneSidedRefusal(result.mesh, oneSided, name)};
+    for (Error& fault : faults)
+        result.faults.push_back(preparation.asGiven(std::move(fault)));
+    result.repairs = std::move(preparation.repairs());
+    if (result.diagnosis.closed && result.diagnosis.components > 1)
+        result.notes.push_back({MW_TEXT("mesh", "{0} consists of {1} separate solids."),
+                                {name, std::to_string(result.diagnosis.components)}});
+    return result;
+}
+
+Result<PreparedMesh> prepare(const IndexedMesh& mesh, const std::string& name) {
+    Examination done = examine(mesh, name);
+    if (!done.faults.empty())
+        return std::unexpected(std::move(done.faults.front()));
+    return PreparedMesh{std::move(done.mesh), std::move(done.repairs), std::move(done.notes)};
 }
 
 } // namespace moldwright

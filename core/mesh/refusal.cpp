@@ -132,24 +132,26 @@ Error oneSidedRefusal(const IndexedMesh& mesh, const std::vector<int>& faces, co
                           {name}, faces);
 }
 
-std::optional<Error> refusal(const IndexedMesh& mesh, const MeshDiagnosis& found, const std::string& name) {
+std::vector<Error> refusals(const IndexedMesh& mesh, const MeshDiagnosis& found, const std::string& name) {
     if (!(boundingBox(mesh).sizes().minCoeff() > leastThickness * diagonal(mesh)))
-        return flat(name);
-    if (!found.closed && !found.openFaces.empty())
-        return open(mesh, found, name);
+        return {flat(name)};
+    std::vector<Error> faults;
+    if (!found.openFaces.empty())
+        faults.push_back(open(mesh, found, name));
     if (!found.crowdedFaces.empty())
-        return crowded(mesh, found, name);
-    if (!(found.volume > leastThickness * std::pow(diagonal(mesh), 3)))
-        return flat(name);
+        faults.push_back(crowded(mesh, found, name));
+    // What an open surface encloses is anyone's guess.
+    if (found.closed && !(found.volume > leastThickness * std::pow(diagonal(mesh), 3)))
+        faults.push_back(flat(name));
     if (!found.pinchedPoints.empty())
-        return pinched(mesh, found, name);
+        faults.push_back(pinched(mesh, found, name));
     if (!found.degenerateFaces.empty())
-        return withoutArea(mesh, found, name);
+        faults.push_back(withoutArea(mesh, found, name));
     if (!found.selfIntersections.empty())
-        return crossing(mesh, found, name);
+        faults.push_back(crossing(mesh, found, name));
     if (found.nested > 0)
-        return nested(mesh, found, name);
-    return std::nullopt;
+        faults.push_back(nested(mesh, found, name));
+    return faults;
 }
 
 } // namespace moldwright

@@ -3,14 +3,15 @@
 
 #include "mesh/check.h"
 
-#include <optional>
+#include <string>
+#include <vector>
 
 namespace moldwright {
 
-/// Why a mesh cannot be designed with, as one sentence about the gravest fault: what, how many, where. None
-/// when it is usable. `diagnosis` is of `mesh`; `name` is the file's.
-[[nodiscard]] std::optional<Error> refusal(const IndexedMesh& mesh, const MeshDiagnosis& diagnosis,
-                                           const std::string& name);
+/// Why a mesh cannot be designed with, a sentence for each kind of fault, the gravest first: what, how many,
+/// where. Empty when it is usable. `diagnosis` is of `mesh`; `name` is the file's.
+[[nodiscard]] std::vector<Error> refusals(const IndexedMesh& mesh, const MeshDiagnosis& diagnosis,
+                                          const std::string& name);
 
 /// A surface with one side only, found at two neighbouring faces that cannot agree.
 [[nodiscard]] Error oneSidedRefusal(const IndexedMesh& mesh, const std::vector<int>& faces,
