@@ -1,142 +1,110 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/edits.h"
 
-#include "mesh/measures.h"
-
-#include <cassert>
+#include <utility>
 
 namespace moldwright {
 
 namespace {
 
-SharedMesh placed(const IndexedMesh& source, const Placement& placement) {
-    auto part = std::make_shared<IndexedMesh>(source);
-    part->V = (placement.scale * source.V * placement.motion.linear().transpose()).rowwise() +
-              placement.motion.translation().transpose();
-    return part;
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+
+Affine3d fromFile(const Placement& placement) {
+    return Affine3d(placement.motion) * Eigen::Scaling(placement.scale);
 }
 
-/// The similarity that takes the part as it lay to the part as it lies.
-struct PlacementChange {
-    Eigen::Isometry3d before;
-    Eigen::Isometry3d after;
-    double scale = 1;
-
-    [[nodiscard]] Eigen::Vector3d point(const Eigen::Vector3d& x) const {
-        return after * (scale * (before.inverse() * x));
-    }
-    [[nodiscard]] Eigen::Vector3d direction(const Eigen::Vector3d& d) const {
-        return (after.linear() * (before.linear().transpose() * d)).normalized();
-    }
-};
-
-MoldState carried(const MoldState& state, const PlacementChange& change) {
-    MoldState moved;
-    moved.plane.normal = change.direction(state.plane.normal);
-    moved.plane.offset = moved.plane.normal.dot(change.point(state.plane.offset * state.plane.normal));
-    moved.directions = {change.direction(state.directions.d1), change.direction(state.directions.d2)};
-    return moved;
+/// The state after the part went through `change`, a similarity.
+MoldState moved(const MoldState& state, const Affine3d& change) {
+    const auto turned = [&](const Vector3d& v) -> Vector3d { return (change.linear() * v).normalized(); };
+    const Vector3d onPlane = change * Vector3d(state.plane.offset * state.plane.normal);
+    MoldState result;
+    result.plane.normal = turned(state.plane.normal);
+    result.plane.offset = result.plane.normal.dot(onPlane);
+    result.directions = {turned(state.directions.d1), turned(state.directions.d2)};
+    return result;
 }
 
 } // namespace
 
-double millimetres(Unit unit) {
-    switch (unit) {
-    case Unit::Millimetre:
-        return 1;
-    case Unit::Centimetre:
-        return 10;
-    case Unit::Metre:
-        return 1000;
-    case Unit::Inch:
-        return 25.4;
-    }
-    return 1;
+IndexedMesh placed(const IndexedMesh& source, const Placement& placement) {
+    const Affine3d motion = fromFile(placement);
+    IndexedMesh part = source;
+    part.V = (source.V * motion.linear().transpose()).rowwise() + motion.translation().transpose();
+    return part;
 }
 
-Project withPart(const Project& project, const std::string& name, const std::string& sourceFile,
-                 const SharedMesh& source, Unit unit, double scale) {
-    assert(source && scale > 0);
-    Project opened;
-    opened.design = project.design;
-    opened.mold = project.mold;
-    opened.name = name;
-    opened.sourceFile = sourceFile;
-    opened.source = source;
-    opened.placement = {unit, scale, Eigen::Isometry3d::Identity()};
-    opened.part = placed(*source, opened.placement);
-    return opened;
+Project withPart(Project project, std::string name, std::string sourceFile, SharedMesh source,
+                 const Placement& placement) {
+    Project result;
+    result.design = project.design;
+    result.mold = project.mold;
+    result.name = std::move(name);
+    result.sourceFile = std::move(sourceFile);
+    result.part = std::make_shared<const IndexedMesh>(placed(*source, placement));
+    result.source = std::move(source);
+    result.placement = placement;
+    return result;
 }
 
-Project withPlacement(const Project& project, const Placement& placement) {
-    assert(project.source && placement.scale > 0);
-    const PlacementChange change{project.placement.motion, placement.motion,
-                                 placement.scale / project.placement.scale};
-    Project edited = withoutCast(project);
-    edited.placement = placement;
-    edited.part = placed(*project.source, placement);
+Project withPlacement(Project project, const Placement& placement) {
+    if (placement == project.placement || !project.source)
+        return project;
+    const Affine3d change = fromFile(placement) * fromFile(project.placement).inverse();
+    project.placement = placement;
+    project.part = std::make_shared<const IndexedMesh>(placed(*project.source, placement));
     if (project.state)
-        edited.state = carried(*project.state, change);
-    for (Pin& pin : edited.pins)
-        pin.point = change.point(pin.point);
-    return edited;
+        project.state = moved(*project.state, change);
+    for (Pin& pin : project.pins)
+        pin.point = change * pin.point;
+    project.cast = nullptr;
+    return project;
 }
 
-Project withState(const Project& project, const MoldState& state, bool chosenByHand) {
-    Project edited = project;
-    edited.state = state;
-    edited.planeChosenByHand = chosenByHand;
-    return edited;
+Project withState(Project project, const MoldState& state, bool byHand) {
+    if (project.state != state)
+        project.cast = nullptr;
+    project.state = state;
+    project.planeChosenByHand = byHand;
+    return project;
 }
 
-Project withDesign(const Project& project, const DesignSettings& design) {
-    Project edited = project;
-    edited.design = design;
-    return edited;
+Project withPlane(Project project, const PartingPlane& plane, bool byHand) {
+    MoldState state{plane, Directions::normalTo(plane)};
+    // Far enough from the plane for a direction to be of use; the tilt cap of a design is narrower.
+    constexpr double leaves = 0.05;
+    if (project.state && project.design.directionsChoice != DirectionsChoice::Normal) {
+        const Directions& old = project.state->directions;
+        if (old.d1.dot(plane.normal) > leaves && old.d2.dot(plane.normal) < -leaves)
+            state.directions = old;
+    }
+    return withState(std::move(project), state, byHand);
 }
 
-Project withMold(const Project& project, const MoldSettings& mold) {
-    Project edited = project;
-    edited.mold = mold;
-    return edited;
+Project withDesignSettings(Project project, const DesignSettings& settings) {
+    if (project.design != settings)
+        project.cast = nullptr;
+    project.design = settings;
+    return project;
 }
 
-Project withName(const Project& project, const std::string& name) {
-    Project edited = project;
-    edited.name = name;
-    return edited;
+Project withPins(Project project, std::vector<Pin> pins) {
+    if (project.pins != pins)
+        project.cast = nullptr;
+    project.pins = std::move(pins);
+    return project;
 }
 
-Project withCast(const Project& project, const CastResult& cast) {
-    Project edited = project;
-    edited.cast = std::make_shared<const CastResult>(cast);
-    edited.state = cast.state;
-    return edited;
+Project withMoldSettings(Project project, const MoldSettings& settings) {
+    project.mold = settings;
+    return project;
 }
 
-Project withoutCast(const Project& project) {
-    Project edited = project;
-    edited.cast.reset();
-    return edited;
-}
-
-Placement moved(const Placement& placement, const Eigen::Isometry3d& motion) {
-    Placement edited = placement;
-    edited.motion = motion * placement.motion;
-    return edited;
-}
-
-Eigen::Isometry3d layFlat(const IndexedMesh& part, const Eigen::Vector3d& normal) {
-    const Eigen::Vector3d down = -Eigen::Vector3d::UnitZ();
-    Eigen::Isometry3d motion(Eigen::Quaterniond::FromTwoVectors(normal, down));
-    const double lowest = (part.V * motion.linear().transpose()).col(2).minCoeff();
-    motion.pretranslate(Eigen::Vector3d(0, 0, -lowest));
-    return motion;
-}
-
-bool castIsCurrent(const Project& project) {
-    return project.cast && project.state == project.cast->state &&
-           project.design.draftDegrees == project.cast->draftDegrees;
+Project withCast(Project project, const DesignResult& result, double draftDegrees) {
+    project.state = result.state;
+    project.cast = std::make_shared<const CastResult>(
+        CastResult{result.cast, result.labels, result.state, draftDegrees, result.change, result.limbs});
+    return project;
 }
 
 } // namespace moldwright

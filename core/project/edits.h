@@ -3,48 +3,33 @@
 
 #include "project/project.h"
 
-#include <Eigen/Geometry>
-
-#include <string>
-
 namespace moldwright {
 
-/// Edits of the document: pure functions from Project to Project. What an edit makes meaningless goes with
-/// it.
+/// Edits of a project: pure functions Project → Project. Each also drops what it makes untrue: an edit of the
+/// part, the plane, the directions, the pins or the design settings drops the cast, which no longer follows
+/// from them. An edit that changes nothing returns an equal project.
 
-/// How many millimetres one of these is.
-[[nodiscard]] double millimetres(Unit unit);
+/// The mesh as read, brought to millimetres and moved.
+[[nodiscard]] IndexedMesh placed(const IndexedMesh& source, const Placement& placement);
 
-/// A project with this mesh as its part; design and mold settings stay. `scale` takes the file's numbers to
-/// mm. The part keeps the file's place.
-[[nodiscard]] Project withPart(const Project& project, const std::string& name, const std::string& sourceFile,
-                               const SharedMesh& source, Unit unit, double scale);
+/// A new project about a part; settings of design and mold are kept, everything about another part goes.
+[[nodiscard]] Project withPart(Project project, std::string name, std::string sourceFile, SharedMesh source,
+                               const Placement& placement);
 
-/// The part placed otherwise. Plane, directions and pins move with it; a cast, whose proof is for exact
-/// coordinates, goes.
-[[nodiscard]] Project withPlacement(const Project& project, const Placement& placement);
+/// The part placed anew; plane, directions and pins move with it.
+[[nodiscard]] Project withPlacement(Project project, const Placement& placement);
 
-/// Another plane and directions. A cast stays; castIsCurrent() tells that it is out of date.
-[[nodiscard]] Project withState(const Project& project, const MoldState& state, bool chosenByHand);
+/// Another mold state, chosen by hand (a drag) or found by the program.
+[[nodiscard]] Project withState(Project project, const MoldState& state, bool byHand);
 
-[[nodiscard]] Project withDesign(const Project& project, const DesignSettings& design);
-[[nodiscard]] Project withMold(const Project& project, const MoldSettings& mold);
-[[nodiscard]] Project withName(const Project& project, const std::string& name);
+/// Another plane. Directions stay where they still leave the plane, else they become normal to it.
+[[nodiscard]] Project withPlane(Project project, const PartingPlane& plane, bool byHand);
 
-/// A finished cast; the project's plane and directions become the cast's.
-[[nodiscard]] Project withCast(const Project& project, const CastResult& cast);
+[[nodiscard]] Project withDesignSettings(Project project, const DesignSettings& settings);
+[[nodiscard]] Project withPins(Project project, std::vector<Pin> pins);
+[[nodiscard]] Project withMoldSettings(Project project, const MoldSettings& settings);
 
-/// The undeformed part again; plane and pins stay.
-[[nodiscard]] Project withoutCast(const Project& project);
-
-/// The placement after moving the part as it lies by `motion` (in the part's frame).
-[[nodiscard]] Placement moved(const Placement& placement, const Eigen::Isometry3d& motion);
-
-/// The motion that lays the part down on a face with this outward normal: the normal looks down, the lowest
-/// point is at z = 0.
-[[nodiscard]] Eigen::Isometry3d layFlat(const IndexedMesh& part, const Eigen::Vector3d& normal);
-
-/// Whether there is a cast made with the plane, directions and draft that the project asks for now.
-[[nodiscard]] bool castIsCurrent(const Project& project);
+/// The project with what a design run made, and the mold state that it ended in.
+[[nodiscard]] Project withCast(Project project, const DesignResult& result, double draftDegrees);
 
 } // namespace moldwright

@@ -1,64 +1,74 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/edits.h"
 
-#include "mesh/measures.h"
+#include "project/some_project.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 using namespace moldwright;
+using namespace moldwright::test;
 using Eigen::Vector3d;
 
-namespace {
-
-Project opened(double scale = 1) {
-    const auto source = std::make_shared<const IndexedMesh>(test::box(Vector3d(0, 0, 0), Vector3d(1, 2, 3)));
-    return withPart({}, "Box", "box.stl", source, Unit::Millimetre, scale);
+TEST(Edits, PlacingScalesThenMoves) {
+    Placement placement;
+    placement.scale = 10;
+    placement.motion.translate(Vector3d(1, 2, 3));
+    const IndexedMesh part = placed(box({0, 0, 0}, {1, 1, 1}), placement);
+    EXPECT_EQ(part.point(7), Vector3d(11, 12, 13));
 }
 
-} // namespace
-
-TEST(ProjectEdits, APartIsScaledToMillimetres) {
-    EXPECT_NEAR(volume(*opened(10).part), 6000, 1e-9);
+TEST(Edits, ThatChangeNothingKeepTheCast) {
+    const Project project = someProject();
+    EXPECT_TRUE(equal(withPlacement(project, project.placement), project));
+    EXPECT_TRUE(equal(withState(project, *project.state, true), project));
+    EXPECT_TRUE(equal(withDesignSettings(project, project.design), project));
+    EXPECT_TRUE(equal(withPins(project, project.pins), project));
 }
 
-TEST(ProjectEdits, MovingThePartCarriesThePlaneAndDropsTheCast) {
-    Project project = withState(opened(10), {{Vector3d::UnitZ(), 15}, {}}, true);
-    CastResult cast;
-    cast.mesh = project.part;
-    cast.state = *project.state;
-    project = withCast(project, cast);
-    ASSERT_TRUE(castIsCurrent(project));
-    const Eigen::Isometry3d turn(Eigen::AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX()));
-    const Project turned = withPlacement(project, moved(project.placement, turn));
-    EXPECT_FALSE(turned.cast);
-    // The plane still halves the box: its middle lies on it.
-    EXPECT_NEAR(turned.state->plane.distance(boundingBox(*turned.part).center()), 0, 1e-9);
-    EXPECT_NEAR(turned.state->plane.normal.dot(-Vector3d::UnitY()), 1, 1e-12);
-    EXPECT_NEAR(turned.state->directions.d1.dot(turned.state->plane.normal), 1, 1e-12);
+TEST(Edits, ThatTheCastDoesNotSurviveDropIt) {
+    const Project project = someProject();
+    Placement placement = project.placement;
+    placement.scale *= 2;
+    EXPECT_EQ(withPlacement(project, placement).cast, nullptr);
+    EXPECT_EQ(withPlane(project, {Vector3d::UnitX(), 1}, true).cast, nullptr);
+    EXPECT_EQ(withPins(project, {}).cast, nullptr);
+    EXPECT_EQ(withDesignSettings(project, {}).cast, nullptr);
+    EXPECT_NE(withMoldSettings(project, {}).cast, nullptr);
 }
 
-TEST(ProjectEdits, LayFlatPutsTheFaceOnTheGround) {
-    const Project project = opened(1);
-    const Project flat =
-        withPlacement(project, moved(project.placement, layFlat(*project.part, Vector3d::UnitX())));
-    const Eigen::AlignedBox3d box = boundingBox(*flat.part);
-    EXPECT_NEAR(box.min().z(), 0, 1e-12);
-    EXPECT_NEAR(box.sizes().z(), 1, 1e-12);
+TEST(Edits, PlaneDirectionsAndPinsMoveWithThePart) {
+    const Project project = someProject();
+    Placement placement = project.placement;
+    placement.motion.prerotate(Eigen::AngleAxisd(0.3, Vector3d::UnitX()));
+    placement.motion.pretranslate(Vector3d(4, 5, 6));
+    placement.scale *= 3;
+    const Project result = withPlacement(project, placement);
+    for (int v = 0; v < project.part->vertexCount(); ++v)
+        EXPECT_NEAR(result.state->plane.distance(result.part->point(v)),
+                    3 * project.state->plane.distance(project.part->point(v)), 1e-9);
+    EXPECT_NEAR(result.state->directions.d1.dot(result.state->plane.normal),
+                project.state->directions.d1.dot(project.state->plane.normal), 1e-12);
+    EXPECT_NEAR((result.pins[0].point - result.part->point(0)).norm(),
+                3 * (project.pins[0].point - project.part->point(0)).norm(), 1e-9);
 }
 
-TEST(ProjectEdits, ACastIsOutOfDateOnceThePlaneMoves) {
-    Project project = withState(opened(1), {}, true);
-    CastResult cast;
-    cast.mesh = project.part;
-    cast.state = *project.state;
-    project = withCast(project, cast);
-    MoldState other = *project.state;
-    other.plane.offset += 1;
-    EXPECT_FALSE(castIsCurrent(withState(project, other, true)));
-    DesignSettings stricter = project.design;
-    stricter.draftDegrees = 3;
-    EXPECT_FALSE(castIsCurrent(withDesign(project, stricter)));
+TEST(Edits, AnotherPlaneKeepsDirectionsOnlyWhileTheyLeaveIt) {
+    const Project project = someProject();
+    PartingPlane near = project.state->plane;
+    near.offset += 1;
+    EXPECT_EQ(withPlane(project, near, true).state->directions, project.state->directions);
+    const PartingPlane turned{-project.state->plane.normal, 0};
+    EXPECT_EQ(withPlane(project, turned, true).state->directions, Directions::normalTo(turned));
+}
+
+TEST(Edits, ANewPartKeepsOnlySettings) {
+    const Project project = someProject();
+    const auto cube = std::make_shared<const IndexedMesh>(box({0, 0, 0}, {1, 1, 1}));
+    const Project result = withPart(project, "cube", "cube.stl", cube, {});
+    EXPECT_EQ(result.design, project.design);
+    EXPECT_EQ(result.mold, project.mold);
+    EXPECT_FALSE(result.state.has_value());
+    EXPECT_TRUE(result.pins.empty());
+    EXPECT_EQ(result.cast, nullptr);
 }

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "project/project_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace moldwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Eigen::Vector3d;
+
+// Names in files, in the order of the enumerations.
+constexpr std::array<std::string_view, 4> unitNames = {"mm", "cm", "m", "in"};
+constexpr std::array<std::string_view, 3> directionsNames = {"automatic", "normal", "given"};
+constexpr std::array<std::string_view, 2> methodNames = {"default", "paper"};
+
+template <class E, std::size_t N>
+Json nameOf(E value, const std::array<std::string_view, N>& names) {
+    return names.at(static_cast<std::size_t>(value));
+}
+
+template <class E, std::size_t N>
+E valueOf(const Json& name, const std::array<std::string_view, N>& names) {
+    const auto found = std::find(names.begin(), names.end(), name.get<std::string>());
+    if (found == names.end())
+        throw Json::other_error::create(501, "unknown name " + name.get<std::string>(), &name);
+    return static_cast<E>(found - names.begin());
+}
+
+Json json(const Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+Vector3d vector(const Json& j) {
+    return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()};
+}
+
+Json json(const MoldState& state) {
+    return {{"normal", json(state.plane.normal)},
+            {"offset", state.plane.offset},
+            {"d1", json(state.directions.d1)},
+            {"d2", json(state.directions.d2)}};
+}
+MoldState moldState(const Json& j) {
+    return {{vector(j.at("normal")), j.at("offset").get<double>()}, {vector(j.at("d1")), vector(j.at("d2"))}};
+}
+
+Json json(const Placement& placement) {
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            rows.push_back(placement.motion.matrix()(row, column));
+    return {{"unit", nameOf(placement.unit, unitNames)}, {"scale", placement.scale}, {"motion", rows}};
+}
+Placement placement(const Json& j) {
+    Placement result;
+    result.unit = valueOf<Unit>(j.at("unit"), unitNames);
+    result.scale = j.at("scale").get<double>();
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            result.motion.matrix()(row, column) =
+                j.at("motion").at(static_cast<std::size_t>(4 * row + column)).get<double>();
+    return result;
+}
+
+Json json(const DesignSettings& design) {
+    return {{"draft_deg", design.draftDegrees},
+            {"max_tilt_deg", design.maxTiltDegrees},
+            {"directions", nameOf(design.directionsChoice, directionsNames)},
+            {"method", nameOf(design.method, methodNames)},
+            {"seed", design.seed}};
+}
+DesignSettings designSettings(const Json& j) {
+    return {j.at("draft_deg").get<double>(), j.at("max_tilt_deg").get<double>(),
+            valueOf<DirectionsChoice>(j.at("directions"), directionsNames),
+            valueOf<DeformationMethod>(j.at("method"), methodNames), j.at("seed").get<unsigned>()};
+}
+
+Json json(const MoldSettings& mold) {
+    return {{"wall", mold.wall},
+            {"floor", mold.floor},
+            {"ceiling", mold.ceiling},
+            {"step", mold.step},
+            {"pressure_bar", mold.pressure}};
+}
+MoldSettings moldSettings(const Json& j) {
+    return {j.at("wall").get<double>(), j.at("floor").get<double>(), j.at("ceiling").get<double>(),
+            j.at("step").get<double>(), j.at("pressure_bar").get<double>()};
+}
+
+Json json(const CastResult& cast) {
+    Json limbs = Json::array();
+    for (const LimbMeasure& limb : cast.limbs)
+        limbs.push_back({{"tip", json(limb.tip)},
+                         {"length_ratio", limb.lengthRatio},
+                         {"volume_ratio", limb.volumeRatio}});
+    return {{"state", json(cast.state)},
+            {"draft_deg", cast.draftDegrees},
+            {"change",
+             {{"mean_distance", cast.change.meanDistance},
+              {"max_distance", cast.change.maxDistance},
+              {"volume_ratio", cast.change.volumeRatio},
+              {"filled_volume_fraction", cast.change.filledVolumeFraction}}},
+            {"limbs", limbs}};
+}
+CastResult castResult(const Json& j) {
+    CastResult cast;
+    cast.state = moldState(j.at("state"));
+    cast.draftDegrees = j.at("draft_deg").get<double>();
+    const Json& change = j.at("change");
+    cast.change = {change.at("mean_distance").get<double>(), change.at("max_distance").get<double>(),
+                   change.at("volume_ratio").get<double>(),
+                   change.at("filled_volume_fraction").get<double>()};
+    for (const Json& limb : j.at("limbs"))
+        cast.limbs.push_back({vector(limb.at("tip")), limb.at("length_ratio").get<double>(),
+                              limb.at("volume_ratio").get<double>()});
+    return cast;
+}
+
+} // namespace
+
+nlohmann::ordered_json documentJson(const Project& project) {
+    Json document = {{"name", project.name},
+                     {"source_file", project.sourceFile},
+                     {"placement", json(project.placement)},
+                     {"plane_chosen_by_hand", project.planeChosenByHand},
+                     {"design", json(project.design)},
+                     {"mold", json(project.mold)},
+                     {"pins", Json::array()}};
+    for (const Pin& pin : project.pins)
+        document["pins"].push_back(json(pin.point));
+    if (project.state)
+        document["state"] = json(*project.state);
+    if (project.cast)
+        document["cast"] = json(*project.cast);
+    return document;
+}
+
+void readDocument(const nlohmann::ordered_json& document, Project& project, std::optional<CastResult>& cast) {
+    project.name = document.at("name").get<std::string>();
+    project.sourceFile = document.at("source_file").get<std::string>();
+    project.placement = placement(document.at("placement"));
+    project.planeChosenByHand = document.at("plane_chosen_by_hand").get<bool>();
+    project.design = designSettings(document.at("design"));
+    project.mold = moldSettings(document.at("mold"));
+    for (const Json& pin : document.at("pins"))
+        project.pins.push_back({vector(pin)});
+    if (document.contains("state"))
+        project.state = moldState(document.at("state"));
+    if (document.contains("cast"))
+        cast = castResult(document.at("cast"));
+}
+
+} // namespace moldwright

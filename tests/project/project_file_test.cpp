@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "project/project_file.h"
+
+#include "project/archive.h"
+#include "project/some_project.h"
+#include "support/folders.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+
+using namespace moldwright;
+using namespace moldwright::test;
+
+namespace {
+
+const StoredProject stored = {someProject(), R"({"camera": 1})", "not really a picture"};
+
+std::string bytesOf(const StoredProject& project) {
+    return projectBytes(project).value();
+}
+
+std::string message(const Result<StoredProject>& result) {
+    return result ? std::string() : result.error().english();
+}
+
+/// A project file whose manifest is replaced.
+std::string withManifest(const std::string& manifest) {
+    return archiveBytes(
+               {{"mimetype", "application/vnd.moldwright.project", true}, {"manifest.json", manifest}})
+        .value();
+}
+
+} // namespace
+
+TEST(ProjectFile, KeepsEverything) {
+    const Result<StoredProject> back = readProjectBytes(bytesOf(stored), "box.moldwright");
+    ASSERT_TRUE(back.has_value()) << message(back);
+    EXPECT_TRUE(equal(back->project, stored.project));
+    EXPECT_EQ(back->viewState, stored.viewState);
+    EXPECT_EQ(back->thumbnail, stored.thumbnail);
+}
+
+TEST(ProjectFile, KeepsAnEmptyProject) {
+    const Result<StoredProject> back = readProjectBytes(bytesOf({}), "empty.moldwright");
+    ASSERT_TRUE(back.has_value()) << message(back);
+    EXPECT_TRUE(equal(back->project, {}));
+}
+
+TEST(ProjectFile, EqualProjectsGiveEqualBytes) {
+    EXPECT_EQ(bytesOf(stored), bytesOf(stored));
+    EXPECT_EQ(bytesOf(readProjectBytes(bytesOf(stored), "a").value()), bytesOf(stored));
+}
+
+TEST(ProjectFile, BeginsWithItsTypeAsPlainBytes) {
+    const std::string bytes = bytesOf(stored);
+    EXPECT_EQ(bytes.substr(0, 2), "PK");
+    EXPECT_EQ(bytes.substr(30, 8), "mimetype");
+    EXPECT_EQ(bytes.substr(38, 34), "application/vnd.moldwright.project");
+}
+
+TEST(ProjectFile, SavesAndOpens) {
+    const ScratchFolder folder;
+    const auto file = folder.path() / "box.moldwright";
+    ASSERT_TRUE(saveProject(file, stored).has_value());
+    const Result<StoredProject> back = openProject(file);
+    ASSERT_TRUE(back.has_value()) << message(back);
+    EXPECT_TRUE(equal(back->project, stored.project));
+    const Result<std::string> manifest = projectManifest(file);
+    ASSERT_TRUE(manifest.has_value());
+    EXPECT_NE(manifest->find("\"minReader\": 1"), std::string::npos);
+}
+
+TEST(ProjectFile, MissingFilesAndOtherFilesAreNamed) {
+    const ScratchFolder folder;
+    EXPECT_NE(message(openProject(folder.path() / "none.moldwright")).find("none.moldwright"),
+              std::string::npos);
+    std::ofstream(folder.path() / "text.moldwright") << "solid cube";
+    EXPECT_NE(message(openProject(folder.path() / "text.moldwright")).find("not a Moldwright project"),
+              std::string::npos);
+    const std::string other = archiveBytes({{"mimetype", "application/epub+zip", true}}).value();
+    EXPECT_NE(message(readProjectBytes(other, "book")).find("not a Moldwright project"), std::string::npos);
+}
+
+TEST(ProjectFile, NewerFilesSayWhichReaderTheyNeed) {
+    const std::string bytes =
+        withManifest(R"({"format": "moldwright-project", "version": 9, "minReader": 7, "name": ""})");
+    const Result<StoredProject> back = readProjectBytes(bytes, "new.moldwright");
+    ASSERT_FALSE(back.has_value());
+    EXPECT_EQ(back.error().code, ErrorCode::BadInput);
+    EXPECT_EQ(message(back),
+              "new.moldwright was saved by a newer Moldwright. A program that reads format 7 is "
+              "needed; this one reads up to 1.");
+}
+
+TEST(ProjectFile, MissingPartsAreNamed) {
+    const std::string bytes =
+        withManifest(R"({"format": "moldwright-project", "version": 1, "minReader": 1, "name": ""})");
+    EXPECT_NE(message(readProjectBytes(bytes, "a.moldwright")).find("document.json"), std::string::npos);
+    const std::string odd = withManifest(R"({"format": 3, "minReader": "one"})");
+    EXPECT_NE(message(readProjectBytes(odd, "a.moldwright")).find("manifest.json"), std::string::npos);
+    EXPECT_NE(message(readProjectBytes(withManifest("[1]"), "a.moldwright")).find("manifest.json"),
+              std::string::npos);
+}
+
+TEST(ProjectFile, APartThatInflatesBeyondItsLimitIsRefused) {
+    const std::string bomb(std::size_t{5} << 20, ' ');
+    const std::string bytes = withManifest(bomb);
+    EXPECT_LT(bytes.size(), 20000U);
+    EXPECT_NE(message(readProjectBytes(bytes, "bomb")).find("manifest.json"), std::string::npos);
+}
+
+TEST(ProjectFile, FlippedBitsNeverCrashNorPassUnseen) {
+    const std::string whole = bytesOf(stored);
+    std::mt19937 random(1);
+    for (int i = 0; i < 1000; ++i) {
+        std::string bytes = whole;
+        bytes[random() % bytes.size()] ^= static_cast<char>(1U << random() % 8);
+        const Result<StoredProject> back = readProjectBytes(bytes, "flipped");
+        if (back)
+            EXPECT_TRUE(equal(back->project, stored.project)) << i;
+        else
+            EXPECT_EQ(back.error().code, ErrorCode::BadInput);
+    }
+}
+
+TEST(ProjectFile, TruncatedFilesAreRefused) {
+    const std::string whole = bytesOf(stored);
+    for (std::size_t i = 0; i < 200; ++i)
+        EXPECT_FALSE(readProjectBytes(whole.substr(0, i * whole.size() / 200), "short").has_value()) << i;
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "project/some_project.h"
+
+#include "castability/certificate.h"
+#include "project/edits.h"
+#include "support/casts.h"
+
+namespace moldwright::test {
+
+namespace {
+
+bool equal(const SharedMesh& a, const SharedMesh& b) {
+    return (!a && !b) || (a && b && a->V == b->V && a->F == b->F);
+}
+
+bool equal(const std::shared_ptr<const CastResult>& a, const std::shared_ptr<const CastResult>& b) {
+    if (!a || !b)
+        return a == b;
+    return equal(a->mesh, b->mesh) && a->labels == b->labels && a->state == b->state &&
+           a->draftDegrees == b->draftDegrees && a->change.meanDistance == b->change.meanDistance &&
+           a->change.filledVolumeFraction == b->change.filledVolumeFraction &&
+           a->limbs.size() == b->limbs.size() &&
+           (a->limbs.empty() || (a->limbs.back().tip == b->limbs.back().tip &&
+                                 a->limbs.back().volumeRatio == b->limbs.back().volumeRatio));
+}
+
+} // namespace
+
+Project someProject() {
+    const KnownCast cast = moved(frusta(20, 10, 5, 3, 0.1), {1, 2, 3}, 0.5, {1, 2, 3});
+    Placement placement;
+    placement.unit = Unit::Inch;
+    placement.scale = 25.4;
+    placement.motion.translate(Eigen::Vector3d(0.1, 1.0 / 3, -7));
+    Project project =
+        withPart({}, "Box ∅ 20", "box.stl", std::make_shared<const IndexedMesh>(cast.mesh), placement);
+    project.design = {2.5, 20, DirectionsChoice::Given, DeformationMethod::Paper, 7};
+    project.pins = {{{0.1, 0.2, 0.3}}, {{-1, 2, 1e-17}}};
+    project.faceWeights.assign(static_cast<std::size_t>(cast.mesh.faceCount()), 1.1);
+    project.mold = {4, 3, 6, 0.5, 12};
+    project.state = cast.state;
+    project.planeChosenByHand = true;
+    project.cast =
+        std::make_shared<const CastResult>(CastResult{std::make_shared<const IndexedMesh>(cast.mesh),
+                                                      labelSides(cast.mesh, cast.state.plane),
+                                                      cast.state,
+                                                      2.5,
+                                                      {0.01, 0.02, 1.1, 0.03},
+                                                      {{{1, 2, 3}, 0.9, 0.8}}});
+    return project;
+}
+
+bool equal(const Project& a, const Project& b) {
+    return a.name == b.name && a.sourceFile == b.sourceFile && equal(a.source, b.source) &&
+           a.placement == b.placement && equal(a.part, b.part) && a.state == b.state &&
+           a.planeChosenByHand == b.planeChosenByHand && a.design == b.design && a.pins == b.pins &&
+           a.faceWeights == b.faceWeights && equal(a.cast, b.cast) && a.mold == b.mold;
+}
+
+} // namespace moldwright::test

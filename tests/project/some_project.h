@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "project/project.h"
+
+namespace moldwright::test {
+
+/// A project in which everything is set to something that is not its default: a drafted box, moved, with a
+/// cast, pins and weights.
+Project someProject();
+
+/// Equal in every value, meshes by content.
+bool equal(const Project& a, const Project& b);
+
+} // namespace moldwright::test
