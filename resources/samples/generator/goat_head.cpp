@@ -19,11 +19,10 @@ Field skull() {
 
 /// The ball of the eye, and the upper lid as a shell about it.
 Field eye() {
-    const Vector3d at(9.2, -17, 47.6);
-    const Field globe = ellipsoid(at, {3.2, 4.2, 3.6}, {0, 0, 0.35});
-    const Field lid = overlap(
-        ellipsoid(at, {4, 5.1, 4.4}, {0, 0, 0.35}),
-        [at](const Vector3d& p) { return at.z() + 0.9 - p.z() - 0.12 * (p.y() - at.y()); }, 0.5);
+    const Vector3d at(9.4, -17.2, 47.4);
+    const Field globe = ball(at, 3.7);
+    const Field above = [at](const Vector3d& p) { return at.z() + 1.3 - p.z() - 0.25 * (p.y() - at.y()); };
+    const Field lid = overlap(ball(at, 4.5), above, 0.8);
     return join({globe, lid}, 0.3);
 }
 
@@ -80,7 +79,7 @@ Sample goatHead() {
     return {"goat_head",
             "Goat head",
             "Curled horns, an eye worth keeping",
-            {join({face, ear(), mirrored(ear()), horn(), mirrored(horn())}, 2),
+            {join({face, ear(), mirrored(ear()), join({horn(), mirrored(horn())}, 4)}, 2.5),
              {Vector3d(-46, -50, -8), Vector3d(46, 30, 90)}},
             {0.95, 4, 0.1}};
 }

@@ -33,7 +33,7 @@ Field finger(const std::vector<Vector3d>& joints, double radius) {
 }
 
 Field fingers() {
-    const Field index = finger({{13.4, 0, 38}, {18.2, 0, 60}, {20.4, -4, 72}, {21.4, -10, 80.5}}, 5.4);
+    const Field index = finger({{13.4, 0, 38}, {18.6, 0, 60}, {21, -4, 72}, {22.2, -10, 80.5}}, 5.4);
     const Field middle = finger({{4.4, 0.5, 38}, {5.8, 0.5, 65.5}, {6.2, -4.5, 79}, {6.4, -12, 88.5}}, 5.5);
     const Field ring =
         finger({{-4.8, 0.5, 38}, {-7.6, -0.5, 63}, {-8.6, -7.5, 74.5}, {-9, -15.5, 81.5}}, 5.2);
@@ -45,7 +45,7 @@ Field fingers() {
                               {{28.5, -12, 43.5}, 5.5},
                               {{31, -13.5, 50}, 4.9},
                               {{32.5, -14, 55}, 3.8}});
-    return join({index, middle, ring, little, thumb}, 3.5);
+    return join({index, middle, ring, little, thumb}, 4);
 }
 
 } // namespace

@@ -23,8 +23,9 @@ public:
         std::vector<Section> knots;
         for (const Station& s : stations)
             knots.push_back((Section() << s.at, s.width, s.thickness).finished());
-        knots.insert(knots.begin(), beyond(knots[0], knots[1]));
-        knots.push_back(beyond(knots.back(), knots[knots.size() - 2]));
+        // Continued past the ends by reflection.
+        knots.insert(knots.begin(), 2 * knots[0] - knots[1]);
+        knots.push_back(2 * knots.back() - knots[knots.size() - 2]);
         for (std::size_t k = 1; k + 2 < knots.size(); ++k)
             m_spans.push_back(catmullRom(knots[k - 1], knots[k], knots[k + 1], knots[k + 2]));
         const int samples = spans() * samplesPerSpan;
@@ -45,23 +46,21 @@ public:
             return bound;
         const double t = nearest(p);
         const Section s = section(t);
-        const Vector3d along = derivative(t).normalized();
+        const Section rate = derivative(t);
+        const double speed = rate.head<3>().norm();
+        const Vector3d along = rate.head<3>() / speed;
         const Vector3d side = along.cross(m_flat).normalized();
         const Vector3d d = p - s.head<3>();
-        return ellipticDistance({d.dot(along), d.dot(side), d.dot(side.cross(along))}, {s[3], s[3], s[4]});
+        // Past an end the limb goes on tapering, so that the round cap meets it without a knob.
+        const double beyond = d.dot(along);
+        const double taper = std::clamp(1 + rate[3] / speed * beyond / s[3], 0.4, 1.0);
+        return ellipticDistance({beyond, d.dot(side), d.dot(side.cross(along))},
+                                {s[3], taper * s[3], taper * s[4]});
     }
 
 private:
     /// Columns: the coefficients of 1, u, u², u³ on one span, 0 ≤ u ≤ 1.
     using Span = Eigen::Matrix<double, 5, 4>;
-
-    /// The knot past an end: the place goes on straight, the section turns back, so that it ends without
-    /// taper and the round cap continues it smoothly.
-    static Section beyond(const Section& end, const Section& before) {
-        Section knot = before;
-        knot.head<3>() = 2 * end.head<3>() - before.head<3>();
-        return knot;
-    }
 
     static Span catmullRom(const Section& a, const Section& b, const Section& c, const Section& d) {
         Span span;
@@ -80,10 +79,10 @@ private:
         return result;
     }
 
-    [[nodiscard]] Vector3d derivative(double t) const {
+    [[nodiscard]] Section derivative(double t) const {
         const Span& s = m_spans[spanAt(t)];
         const double u = t - spanAt(t);
-        return (s.col(1) + u * (2 * s.col(2) + 3 * u * s.col(3))).head<3>();
+        return s.col(1) + u * (2 * s.col(2) + 3 * u * s.col(3));
     }
 
     /// Parameter of the point of the spline nearest to p: the best sample, then halving, which cannot
@@ -97,9 +96,9 @@ private:
         double lo = std::max(best * step - step, 0.0);
         double hi = std::min(best * step + step, double(spans()));
         // The slope of the squared distance changes sign once in the bracket.
-        for (int k = 0; k < 14; ++k) {
+        for (int k = 0; k < 20; ++k) {
             const double mid = (lo + hi) / 2;
-            const bool passed = (section(mid).head<3>() - p).dot(derivative(mid)) > 0;
+            const bool passed = (section(mid).head<3>() - p).dot(derivative(mid).head<3>()) > 0;
             (passed ? hi : lo) = mid;
         }
         return (lo + hi) / 2;

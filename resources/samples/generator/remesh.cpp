@@ -144,7 +144,7 @@ private:
             const Vector3d eb = m_mesh.point(b);
             const Vector3d before = (ea - m_mesh.point(v)).cross(eb - m_mesh.point(v));
             const Vector3d after = (ea - p).cross(eb - p);
-            if (after.dot(before) < 0.5 * after.norm() * before.norm() || after.norm() < 1e-9)
+            if (after.dot(before) < 0.3 * after.norm() * before.norm() || after.norm() < 1e-9)
                 return false;
             // A face of the round side must not fall into the back.
             if (except && onBack(*except) && onBack(a) && onBack(b) && !onBack(h.face()))

@@ -8,7 +8,7 @@ std::vector<Sample> allSamples() {
 }
 
 IndexedMesh makeMesh(const Sample& sample) {
-    return remesh(contour(sample.solid, sample.fineness.shortest), sample.solid, sample.fineness);
+    return remesh(contour(sample.solid, 0.8 * sample.fineness.shortest), sample.solid, sample.fineness);
 }
 
 } // namespace moldwright::samples

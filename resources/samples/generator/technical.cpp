@@ -60,7 +60,7 @@ Sample doorKnob() {
     const Field collar = ellipsoid({0, -7, 0}, {17, 4.5, 17});
     const Field neck = [](const Vector3d& p) {
         const double r = std::hypot(p.x(), p.z());
-        return std::max(r - 8.5, std::abs(p.y() + 20) - 18);
+        return std::max(r - 8.5, std::abs(p.y() + 24) - 14);
     };
     const Field bulb = moved(fluted({25, 17, 25}, 1.6, 14, 0.9), {0, -44, 0});
     return {
@@ -72,18 +72,19 @@ Sample doorKnob() {
 }
 
 Sample praline() {
-    constexpr double height = 15;
+    constexpr double height = 14;
     const Field wall = [](const Vector3d& p) {
         const double t = p.z() / height;
         const double r = 18 - 3.6 * t - 1.2 * t * t;
-        const double depth = 1.7 * (1 - 0.35 * t);
+        const double depth = 1.8 * (1 - 0.3 * t);
         return std::hypot(p.x(), p.y()) - r + depth * flute(std::atan2(p.y(), p.x()), 10);
     };
-    const Field top = [](const Vector3d& p) { return (p - Vector3d(0, 0, height - 40)).norm() - 40; };
+    const Field top = ball({0, 0, height - 36}, 36);
+    const Field nut = ball({0, 0, height - 2.2}, 5.4);
     return {"praline",
             "Praline",
             "Flat back, castable as it is",
-            {overlap(wall, top, 3.5), {Vector3d(-21, -21, 0), Vector3d(21, 21, 18)}, true},
+            {join({overlap(wall, top, 4), nut}, 2.5), {Vector3d(-21, -21, 0), Vector3d(21, 21, 20)}, true},
             {0.5, 2, 0.02}};
 }
 
