@@ -20,6 +20,8 @@ Result<std::uintmax_t> sizeOfFile(const fs::path& file, const std::string& name)
         return failure(ErrorCode::BadInput, MW_TEXT("exchange", "There is no file {0}."), {file.string()});
     if (fs::is_directory(status))
         return failure(ErrorCode::BadInput, MW_TEXT("exchange", "{0} is a folder, not a mesh file."), {name});
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        return failure(ErrorCode::BadInput, MW_TEXT("exchange", "{0} is not a plain file."), {name});
     const std::uintmax_t size = cause ? 0 : fs::file_size(file, cause);
     if (cause)
         return failure(ErrorCode::BadInput, MW_TEXT("exchange", "{0} could not be read: {1}."),

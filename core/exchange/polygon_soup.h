@@ -25,7 +25,7 @@ struct PolygonSoup {
 };
 
 /// More corners than this in one face are refused by the readers: their triangulation takes quadratic time.
-constexpr int mostCorners = 4096;
+constexpr int mostCorners = 2048;
 
 /// The soup with each polygon cut into triangles inside it, also where it is concave, by clipping ears in the
 /// polygon's own plane (Newell's normal), the best shaped first. Precondition: corners index points, and each
