@@ -225,6 +225,8 @@ std::vector<PlaneCandidate> findPlanes(const IndexedMesh& mesh, const PlaneSearc
             task.progress(0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(trials.size()), "plane");
         }
     });
+    // Starts that refinement led elsewhere are candidates of their own: there may be more planes asked for than minima.
+    refined.insert(refined.end(), trials.begin(), trials.end());
     for (const PartingPlane& plane : flatBackPlanes(scaled)) {
         MoldState state{plane, Directions::normalTo(plane)};
         if (!wanted.normalDirections)

@@ -77,7 +77,9 @@ Positions LabelledProblem::minimize(const StageWeights& weights, const std::vect
     options.largestStep = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& d) {
         return largestStep(unflatten(x), unflatten(d));
     };
-    options.proceed = [&](int, const Eigen::VectorXd& u, double) { return watch(m_heights.toPositions(unflatten(u))); };
+    options.proceed = [&](int, const Eigen::VectorXd& u, double) {
+        return watch(m_heights.toPositions(unflatten(u)));
+    };
     const Objective objective = [&](const Eigen::VectorXd& u, Eigen::VectorXd& g) {
         const Positions U = unflatten(u);
         Positions gradient;

@@ -8,8 +8,8 @@ namespace moldwright {
 
 namespace {
 
-constexpr double kShare = 0.1;        ///< ε over the height at rest
-constexpr double kLargest = 2e-4;     ///< ε at most, for a body of size about 1
+constexpr double kShare = 0.1;    ///< ε over the height at rest
+constexpr double kLargest = 2e-4; ///< ε at most, for a body of size about 1
 constexpr double kSmallest = 1e-9;
 
 double height(double u, double epsilon) {
@@ -23,7 +23,8 @@ double height(double u, double epsilon) {
 SideHeights::SideHeights(std::vector<signed char> side, const Positions& rest)
     : m_side(std::move(side)), m_epsilon(m_side.size(), 0) {
     for (std::size_t v = 0; v < m_side.size(); ++v)
-        m_epsilon[v] = std::clamp(kShare * std::abs(rest(static_cast<Eigen::Index>(v), 2)), kSmallest, kLargest);
+        m_epsilon[v] =
+            std::clamp(kShare * std::abs(rest(static_cast<Eigen::Index>(v), 2)), kSmallest, kLargest);
 }
 
 Positions SideHeights::toFree(Positions X) const {

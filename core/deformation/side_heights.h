@@ -7,9 +7,9 @@
 
 namespace moldwright {
 
-/// Keeps surface points on their side of the plane by construction: the height of each is |z| = φ(u) of a free number u,
-/// with φ(u) = (u + √(u² + 4ε²))/2, which is u itself far from the plane and never reaches 0. ε is a small share of the
-/// point's height at rest.
+/// Keeps surface points on their side of the plane by construction: the height of each is |z| = φ(u) of a
+/// free number u, with φ(u) = (u + √(u² + 4ε²))/2, which is u itself far from the plane and never reaches 0.
+/// ε is a small share of the point's height at rest.
 class SideHeights {
 public:
     /// `side`: per point +1, −1, or 0 where the height is free or held. `rest`: heights |z| > 0 give ε.

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/mold_state.h"
+#include "mesh/indexed_mesh.h"
+
+#include <vector>
+
+namespace moldwright {
+
+/// A closed surface with its parting line inserted, in the plane's frame.
+struct LabelledSurface {
+    IndexedMesh mesh;
+    SideLabels labels;
+    std::vector<int> sourceVertex; ///< per point: which point it was before any clean-up
+};
+
+/// What the clean-up is to achieve.
+struct CleanUpGoal {
+    Directions directions;
+    double tau = 0;              ///< faces below it are mended where that makes them better
+    double shortestEdge = 0;     ///< shorter edges are collapsed where nothing gets worse
+    double smallestAltitude = 0; ///< so are the needles and caps below this height
+};
+
+/// Mends the faces that no motion of points can mend, by flips and collapses of their edges (OpenMesh). A
+/// change is made only where the worst draft of the faces around it rises, or, for the short and the thin,
+/// does not fall below τ or where it was. The parting line stays simple: no collapse sweeps it over one of
+/// its points, leaves a loop of three, lays a face into the plane, or flips an edge between labels. Points
+/// keep their order; removed ones are gone. Returns the number of changes made.
+int cleanUp(LabelledSurface& surface, const CleanUpGoal& goal);
+
+} // namespace moldwright

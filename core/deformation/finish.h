@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/task.h"
+#include "deformation/clean_up.h"
+
+#include <functional>
+
+namespace moldwright {
+
+/// What the finish is to reach.
+struct FinishGoal {
+    Directions directions;   ///< in the plane's frame
+    double draftDegrees = 1; ///< required; aimed at one degree higher, since the hinge nears its goal slowly
+    double resolution = 0;   ///< size of a coordinate's rounding step (a float ulp) in the surface's units
+    int rounds = 10;
+};
+
+/// Brings a nearly castable labelled surface to its draft: rounds of minimising the castability energy over
+/// the points with a vanishing share of elasticity, then clean-up of what no motion can mend. Labels stay;
+/// points of the parting line stay in the plane and the line stays simple. The last step of Algorithm 1 in
+/// [Stein 2019], on a surface whose parting line is inserted. `watch`, if set, sees every round. Returns
+/// whether every face has its draft.
+bool finishSurface(LabelledSurface& surface, const FinishGoal& goal, const Task& task,
+                   const std::function<void(const LabelledSurface&)>& watch);
+
+} // namespace moldwright

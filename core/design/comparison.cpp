@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/comparison.h"
+
+#include "base/parallel.h"
+#include "mesh/closest_point.h"
+#include "mesh/geodesic.h"
+#include "mesh/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace moldwright {
+
+namespace {
+
+constexpr double kProminence = 0.045; ///< of the diagonal: less is no limb
+constexpr double kFirstReach = 0.04;  ///< of the diagonal: a joint is not looked for nearer to the tip
+constexpr double kLongestReach = 0.6;
+constexpr double kReachStep = 0.01;
+constexpr double kWidening = 2.6; ///< dA/dr over A/r: a tube has 1, a cone 2, a joint more
+
+/// Mean over the surface, and largest, of the distance from `from`'s points to `to`.
+std::pair<double, double> surfaceDistance(const IndexedMesh& from, const IndexedMesh& to) {
+    const ClosestPoint closest(to);
+    std::vector<double> distance(static_cast<std::size_t>(from.vertexCount()));
+    parallelFor(distance.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            distance[v] = closest.distance(from.point(static_cast<int>(v)));
+    });
+    double sum = 0;
+    double area = 0;
+    for (int f = 0; f < from.faceCount(); ++f) {
+        const double a = doubleAreaVector(from, f).norm() / 2;
+        area += a;
+        for (int k = 0; k < 3; ++k)
+            sum += a / 3 * distance[static_cast<std::size_t>(from.F(f, k))];
+    }
+    return {sum / area, *std::max_element(distance.begin(), distance.end())};
+}
+
+/// Where the limb at a tip ends: the first reach at which the surface within it grows much faster than a tube
+/// or cone.
+double jointReach(const IndexedMesh& mesh, const std::vector<double>& distance, double size) {
+    std::vector<double> within(static_cast<std::size_t>(kLongestReach / kReachStep) + 2, 0);
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const double reach = (distance[static_cast<std::size_t>(mesh.F(f, 0))] +
+                              distance[static_cast<std::size_t>(mesh.F(f, 1))] +
+                              distance[static_cast<std::size_t>(mesh.F(f, 2))]) /
+                             3;
+        const auto step = static_cast<std::size_t>(reach / (kReachStep * size));
+        if (step + 1 < within.size())
+            within[step + 1] += doubleAreaVector(mesh, f).norm() / 2;
+    }
+    for (std::size_t i = 1; i < within.size(); ++i)
+        within[i] += within[i - 1];
+    const auto first = static_cast<std::size_t>(kFirstReach / kReachStep);
+    for (std::size_t i = first; i + 2 < within.size(); ++i) {
+        const double growth = (within[i + 2] - within[i]) / 2;
+        if (growth * static_cast<double>(i) > kWidening * within[i])
+            return static_cast<double>(i) * kReachStep * size;
+    }
+    return kLongestReach * size;
+}
+
+/// Volume of the surface's part on `inside` points, closed by a cone to its rim's mean.
+double capVolume(const IndexedMesh& mesh, const std::vector<char>& inside, const Eigen::Vector3d& apex) {
+    double sum = 0;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        if (!inside[static_cast<std::size_t>(mesh.F(f, 0))] ||
+            !inside[static_cast<std::size_t>(mesh.F(f, 1))] ||
+            !inside[static_cast<std::size_t>(mesh.F(f, 2))])
+            continue;
+        sum += (mesh.corner(f, 0) - apex).dot((mesh.corner(f, 1) - apex).cross(mesh.corner(f, 2) - apex)) / 6;
+    }
+    return sum;
+}
+
+} // namespace
+
+Eigen::Isometry3d bestRigidFit(const Points& from, const Points& to) {
+    Eigen::Isometry3d fit = Eigen::Isometry3d::Identity();
+    fit.matrix() = Eigen::umeyama(from.transpose(), to.transpose(), false);
+    return fit;
+}
+
+Change measureChange(const IndexedMesh& part, const IndexedMesh& parted, const IndexedMesh& cast,
+                     const std::vector<int>& sourceVertex) {
+    Points before(cast.V.rows(), 3);
+    for (std::size_t v = 0; v < sourceVertex.size(); ++v)
+        before.row(static_cast<Eigen::Index>(v)) = parted.V.row(sourceVertex[v]);
+    const Eigen::Isometry3d fit = bestRigidFit(before, cast.V);
+    IndexedMesh fitted = part;
+    for (int v = 0; v < part.vertexCount(); ++v)
+        fitted.V.row(v) = (fit * part.point(v)).transpose();
+    const auto [meanThere, maxThere] = surfaceDistance(cast, fitted);
+    const auto [meanBack, maxBack] = surfaceDistance(fitted, cast);
+    const double size = diagonal(part);
+    return {(meanThere + meanBack) / 2 / size, std::max(maxThere, maxBack) / size,
+            volume(cast) / volume(part), 0};
+}
+
+std::vector<LimbMeasure> measureLimbs(const IndexedMesh& parted, const IndexedMesh& cast,
+                                      const std::vector<int>& sourceVertex,
+                                      const std::vector<Eigen::Vector3d>& wanted) {
+    const double size = diagonal(parted);
+    const EdgeGraph before(parted);
+    const EdgeGraph after(cast);
+    std::vector<int> castVertex(static_cast<std::size_t>(parted.vertexCount()), -1);
+    for (std::size_t v = 0; v < sourceVertex.size(); ++v)
+        castVertex[static_cast<std::size_t>(sourceVertex[v])] = static_cast<int>(v);
+
+    std::vector<int> tips;
+    for (const Eigen::Vector3d& p : wanted) {
+        Eigen::Index nearest = 0;
+        (parted.V.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+        tips.push_back(static_cast<int>(nearest));
+    }
+    if (wanted.empty())
+        tips = limbTips(before, kProminence * size);
+
+    std::vector<LimbMeasure> limbs;
+    for (const int tip : tips) {
+        const int castTip = castVertex[static_cast<std::size_t>(tip)];
+        if (castTip < 0)
+            continue;
+        const std::vector<double> was = before.distances({tip});
+        const std::vector<double> is = after.distances({castTip});
+        const double reach = jointReach(parted, was, size);
+        std::vector<char> inside(was.size(), 0);
+        std::vector<char> castInside(sourceVertex.size(), 0);
+        double lengthWas = 0;
+        double lengthIs = 0;
+        int rim = 0;
+        Eigen::Vector3d apexWas = Eigen::Vector3d::Zero();
+        Eigen::Vector3d apexIs = Eigen::Vector3d::Zero();
+        for (std::size_t v = 0; v < was.size(); ++v) {
+            const int c = castVertex[v];
+            inside[v] = was[v] <= reach;
+            if (c < 0)
+                continue;
+            castInside[static_cast<std::size_t>(c)] = inside[v];
+            if (std::abs(was[v] - reach) > kReachStep * size)
+                continue;
+            lengthWas += was[v];
+            lengthIs += is[static_cast<std::size_t>(c)];
+            apexWas += parted.point(static_cast<int>(v));
+            apexIs += cast.point(c);
+            ++rim;
+        }
+        if (rim == 0)
+            continue;
+        limbs.push_back(
+            {parted.point(tip), lengthIs / lengthWas,
+             capVolume(cast, castInside, apexIs / rim) / capVolume(parted, inside, apexWas / rim)});
+    }
+    return limbs;
+}
+
+} // namespace moldwright

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/elastoplastic.h"
+
+#include "castability/directions.h"
+#include "castability/energy.h"
+#include "castability/minimize.h"
+#include "deformation/tet_topology.h"
+#include "exchange/tetrahedralize.h"
+#include "mesh/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright {
+
+namespace {
+
+constexpr double kSettled = 1e-12; ///< mean square motion that ends a step early, working units
+constexpr int kPostIterations = 200;
+
+BodyShape bodyOf(const IndexedMesh& surface, const TetMesh& tets) {
+    BodyShape body;
+    body.V = tets.V;
+    body.T = tets.T;
+    body.F = surface.F;
+    return body;
+}
+
+int nearestPoint(const Points& V, const Eigen::Vector3d& p) {
+    Eigen::Index nearest = 0;
+    (V.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+}
+
+} // namespace
+
+Result<Elastoplastic> Elastoplastic::create(SharedMesh part, const MoldState& state,
+                                            const ElastoplasticSettings& settings, const Task& task) {
+    const WorkingFrame frame(*part, state);
+    const IndexedMesh work = frame.toWork(*part);
+    Result<TetMesh> tets = tetrahedralize(work, task);
+    if (!tets)
+        return std::unexpected(tets.error());
+    return Elastoplastic(std::move(part), state, settings, frame, bodyOf(work, *tets));
+}
+
+Elastoplastic::Elastoplastic(SharedMesh part, const MoldState& state, const ElastoplasticSettings& settings,
+                             WorkingFrame frame, BodyShape body)
+    : m_part(std::move(part)), m_state(state), m_settings(settings), m_frame(std::move(frame)),
+      m_undeformed(body.V),
+      m_solver(std::move(body), std::vector<char>(static_cast<std::size_t>(m_undeformed.rows()), 0),
+               settings.smoothing) {}
+
+void Elastoplastic::setPins(const std::vector<Pin>& pins) {
+    std::vector<char> held(static_cast<std::size_t>(m_undeformed.rows()), 0);
+    for (const Pin& pin : pins)
+        held[static_cast<std::size_t>(nearestPoint(m_undeformed, m_frame.toWork(pin.point)))] = 1;
+    m_solver.setHeld(std::move(held));
+}
+
+void Elastoplastic::setFaceWeights(const std::vector<double>& faceWeights) {
+    std::vector<double> weights(static_cast<std::size_t>(m_solver.shape().T.rows()), 1);
+    const std::vector<int> behind = tetsBehindFaces(m_solver.shape().T, m_part->F);
+    for (std::size_t f = 0; f < faceWeights.size(); ++f)
+        if (behind[f] >= 0) {
+            double& tet = weights[static_cast<std::size_t>(behind[f])];
+            tet = std::max(tet, faceWeights[f]);
+        }
+    m_solver.setTetWeights(std::move(weights));
+}
+
+/// Faces that cross the plane get no side: post-processing takes care of them.
+SideLabels Elastoplastic::sides() const {
+    SideLabels sides(static_cast<std::size_t>(m_part->faceCount()), 0);
+    for (int f = 0; f < m_part->faceCount(); ++f) {
+        const auto z = [&](int k) { return m_solver.positions()(m_part->F(f, k), 2); };
+        const double low = std::min({z(0), z(1), z(2)});
+        const double high = std::max({z(0), z(1), z(2)});
+        sides[static_cast<std::size_t>(f)] = low >= 0 ? 1 : high <= 0 ? 2 : 0;
+    }
+    return sides;
+}
+
+void Elastoplastic::step(const Task& task) {
+    if (m_settings.optimizeDirections)
+        m_state.directions =
+            bestDirections(shape(), m_state.plane, m_settings.draftDegrees, m_settings.maxTiltDegrees);
+    const Directions directions = m_frame.directionsToWork(m_state.directions);
+    const double tau = std::sin(radians(m_settings.draftDegrees));
+    for (int i = 0; i < m_settings.iterationsPerStep && !task.stopped(); ++i) {
+        ++m_iterations;
+        if (m_solver.iterate(sides(), directions, tau) < kSettled)
+            break;
+    }
+    m_solver.restart();
+    ++m_steps;
+}
+
+IndexedMesh Elastoplastic::shape() const {
+    return m_frame.toPart(
+        IndexedMesh{Points(m_solver.positions().topRows(m_part->vertexCount())), m_part->F});
+}
+
+IndexedMesh postProcess(const IndexedMesh& shape, const MoldState& state, double draftDegrees,
+                        const Task& task) {
+    IndexedMesh moving = shape;
+    const double tau = std::sin(radians(draftDegrees));
+    const Objective energy = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+        moving.V = Eigen::Map<const Points>(x.data(), shape.V.rows(), 3);
+        Points g;
+        const double value = castabilityEnergy(moving, state, tau, g);
+        gradient = Eigen::Map<const Eigen::VectorXd>(g.data(), g.size());
+        return value;
+    };
+    MinimizeOptions options;
+    options.iterations = kPostIterations;
+    options.relativeDecrease = 1e-6;
+    options.proceed = [&](int, const Eigen::VectorXd&, double) { return !task.stopped(); };
+    const Minimum found =
+        minimize(energy, Eigen::Map<const Eigen::VectorXd>(shape.V.data(), shape.V.size()), options);
+    moving.V = Eigen::Map<const Points>(found.x.data(), shape.V.rows(), 3);
+    return moving;
+}
+
+} // namespace moldwright

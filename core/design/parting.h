@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/task.h"
+#include "castability/parting_line.h"
+#include "castability/plane_search.h"
+#include "design/design.h"
+#include "design/working_frame.h"
+#include "mesh/tet_mesh.h"
+
+#include <vector>
+
+namespace moldwright {
+
+/// The part parted by a plane and filled with tetrahedra: what the deformation starts from.
+struct PartedSolid {
+    MoldState state; ///< part frame
+    WorkingFrame frame;
+    PartedMesh surface; ///< working frame
+    TetMesh tets;       ///< working frame; surface points first
+};
+
+/// Parts the part at `state`, snapping less and less until the parted surface is free of self-intersection
+/// and TetGen takes it. Errors: Impossible (the reasons in words, see findObstructions()), Worker, Cancelled.
+[[nodiscard]] Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state,
+                                            const Task& task);
+
+/// Whether the topological certificate holds for the part at `state`.
+[[nodiscard]] bool planePasses(const IndexedMesh& part, const MoldState& state);
+
+/// The obstructions of the part at `state`.
+[[nodiscard]] std::vector<Obstruction> obstructionsAt(const IndexedMesh& part, const MoldState& state);
+
+} // namespace moldwright

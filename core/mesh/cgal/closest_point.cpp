@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mesh/closest_point.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <vector>
+
+namespace moldwright {
+
+namespace {
+
+// Distances for people: plain doubles are exact enough.
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangle = Kernel::Triangle_3;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
+
+Kernel::Point_3 pointOf(const Eigen::Vector3d& p) {
+    return {p.x(), p.y(), p.z()};
+}
+
+} // namespace
+
+struct ClosestPoint::Tree {
+    std::vector<Triangle> triangles;
+    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> boxes;
+};
+
+ClosestPoint::ClosestPoint(const IndexedMesh& mesh) : m_tree(std::make_unique<Tree>()) {
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const Triangle triangle(pointOf(mesh.corner(f, 0)), pointOf(mesh.corner(f, 1)),
+                                pointOf(mesh.corner(f, 2)));
+        if (!triangle.is_degenerate())
+            m_tree->triangles.push_back(triangle);
+    }
+    m_tree->boxes.insert(m_tree->triangles.cbegin(), m_tree->triangles.cend());
+    m_tree->boxes.build();
+    m_tree->boxes.accelerate_distance_queries();
+}
+
+ClosestPoint::~ClosestPoint() = default;
+ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
+ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
+
+double ClosestPoint::distance(const Eigen::Vector3d& p) const {
+    return std::sqrt(m_tree->boxes.squared_distance(pointOf(p)));
+}
+
+} // namespace moldwright
