@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/mold_command.h"
+
+#include "cli/open_project.h"
+#include "mold/mold_files.h"
+#include "project/pipeline.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace moldwright::cli {
+
+namespace {
+
+struct MoldOptions {
+    std::string input;
+    std::string folder;
+    std::optional<double> wall;
+};
+
+void describe(const Mold& mold, std::ostream& out) {
+    if (mold.verified())
+        out << "The mold opens: both halves are proved at "
+            << readable(mold.castCertificate.worstDraftDegrees) << "°.\n";
+    else
+        out << "The mold was written, but it is not proved to open.\n";
+    const Eigen::Vector3d size = mold.half1.size + Eigen::Vector3d(0, 0, mold.half2.size.z());
+    out << "Block " << readable(size.x()) << " x " << readable(size.y()) << " x " << readable(size.z())
+        << " mm, cavity " << readable(mold.cavityVolume / 1000) << " cm³, smallest wall "
+        << readable(mold.minWall) << " mm.\n";
+}
+
+Result<ExitCode> build(const MoldOptions& options, const Session& session) {
+    session.task().progress(0, "Reading");
+    Result<StoredProject> stored = openProjectOrFolder(options.input);
+    if (!stored)
+        return std::unexpected(stored.error());
+    Project& project = stored->project;
+    if (!project.cast)
+        return failure(ErrorCode::BadInput, MW_TEXT("cli", "{0} holds no finished cast. Run design first."),
+                       {options.input});
+    if (options.wall)
+        project.mold.wall = project.mold.floor = project.mold.ceiling = *options.wall;
+    const CastResult& cast = *project.cast;
+    const Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, project.mold,
+                                        session.task().part(0.1, 0.9));
+    if (!mold)
+        return std::unexpected(mold.error());
+    if (const Result<void> written = writeMold(*mold, project.name, options.folder); !written)
+        return std::unexpected(written.error());
+    session.task().progress(1, "Done");
+    describe(*mold, session.out());
+    for (const std::string& problem : mold->problems)
+        session.tell({problem, {}});
+    if (const Result<void> written = session.writeJson(Json::parse(moldJson(*mold))); !written)
+        return std::unexpected(written.error());
+    return mold->verified() ? ExitCode::Yes : ExitCode::No;
+}
+
+constexpr const char* manual =
+    "IN is a project file that holds a cast, or the folder that design wrote. Writes mold-half-1.stl,\n"
+    "mold-half-2.stl and mold-cast.stl in the mold's frame (parting plane z = 0, side 1 up), mold.3mf\n"
+    "with all three on a plate, and mold.json. What is written is what was proved.\n"
+    "\n"
+    "JSON: as mold.json: verified, d1, d2, part_to_mold[16] (row-major), half1, half2 (volume, size,\n"
+    "faces), cavity_volume, channel_volume, parting_area, clamp_force (kN), min_wall, features[].\n"
+    "\n"
+    "Example:\n"
+    "  moldwright-cli mold rabbit.moldwright --out rabbit-mold --wall 8";
+
+} // namespace
+
+Command moldCommand() {
+    return {"mold", "Build, prove and write the two mold halves of a cast", manual, [](CLI::App& app) {
+                auto options = std::make_shared<MoldOptions>();
+                app.add_option("IN", options->input, "Project file, or folder written by design")
+                    ->type_name("FILE|DIR")
+                    ->required();
+                app.add_option("--out", options->folder, "Folder for the mold's files")
+                    ->type_name("DIR")
+                    ->required();
+                app.add_option("--wall", options->wall,
+                               "Steel round the cavity on all sides, mm; the default is the project's")
+                    ->type_name("MM")
+                    ->check(CLI::PositiveNumber.description(""));
+                return Action([options](const Session& session) { return build(*options, session); });
+            }};
+}
+
+} // namespace moldwright::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/state_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+
+namespace moldwright::cli {
+
+namespace {
+
+std::optional<double> numberIn(const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+void StateOptions::declare(CLI::App& app, bool planeRequired) {
+    CLI::Option* option = app.add_option("--plane", plane,
+                                         planeRequired ? "Parting plane n·x = o as nx ny nz o"
+                                                       : "Parting plane as nx ny nz o, or auto")
+                              ->type_name("N N N O")
+                              ->expected(planeRequired ? 4 : 1, 4);
+    if (planeRequired)
+        option->required();
+    app.add_option("--d1", d1, "Removal direction of side 1 (n·x > o)")->type_name("X Y Z")->expected(3);
+    app.add_option("--d2", d2, "Removal direction of side 2")->type_name("X Y Z")->expected(3);
+    app.add_option("--draft", draft, "Draft angle that every face needs, degrees")
+        ->check(CLI::Range(0.0, 45.0))
+        ->capture_default_str();
+}
+
+Result<std::optional<PartingPlane>> StateOptions::givenPlane() const {
+    if (plane.empty() || (plane.size() == 1 && plane.front() == "auto"))
+        return std::nullopt;
+    const auto refusal =
+        failure(ErrorCode::Usage,
+                MW_TEXT("cli", "--plane takes four numbers, nx ny nz o, with a normal that is not zero."));
+    if (plane.size() != 4)
+        return refusal;
+    double numbers[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::optional<double> number = numberIn(plane[i]);
+        if (!number)
+            return refusal;
+        numbers[i] = *number;
+    }
+    const Eigen::Vector3d n(numbers[0], numbers[1], numbers[2]);
+    const double length = n.norm();
+    if (!(length > 0))
+        return refusal;
+    // A normal that is unit already keeps its bits, so that what was written is what is read.
+    if (std::abs(length - 1) < 1e-12)
+        return PartingPlane{n, numbers[3]};
+    return PartingPlane{n / length, numbers[3] / length};
+}
+
+Result<std::optional<Directions>>
+StateOptions::givenDirections(const std::optional<PartingPlane>& given) const {
+    if (d1.empty() && d2.empty())
+        return std::nullopt;
+    if (d1.empty() || d2.empty() || !given)
+        return failure(ErrorCode::Usage,
+                       MW_TEXT("cli", "--d1, --d2 and --plane belong together: give all three."));
+    const auto unit = [](const std::vector<double>& v) {
+        const Eigen::Vector3d d(v[0], v[1], v[2]);
+        return std::abs(d.norm() - 1) < 1e-12 ? d : Eigen::Vector3d(d.normalized());
+    };
+    const Directions directions{unit(d1), unit(d2)};
+    if (!(directions.d1.dot(given->normal) > 0) || !(directions.d2.dot(given->normal) < 0))
+        return failure(ErrorCode::Usage,
+                       MW_TEXT("cli", "Direction 1 has to leave the plane on the side of its normal, and "
+                                      "direction 2 on the other."));
+    return directions;
+}
+
+Json jsonOf(const PartingPlane& plane) {
+    return {plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset};
+}
+
+} // namespace moldwright::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "castability/mold_state.h"
+#include "cli/json.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace moldwright::cli {
+
+/// Options that say where a part is parted and how its halves open. Normals and directions are made unit.
+struct StateOptions {
+    std::vector<std::string> plane; ///< four numbers, or "auto"
+    std::vector<double> d1;
+    std::vector<double> d2;
+    double draft = 1;
+
+    /// Declares --plane, --d1, --d2 and --draft on `app`; `planeRequired` makes --plane four numbers that
+    /// must be given.
+    void declare(CLI::App& app, bool planeRequired);
+
+    /// The plane given; none for "auto" or nothing. Errors: Usage.
+    [[nodiscard]] Result<std::optional<PartingPlane>> givenPlane() const;
+
+    /// The directions given; none when neither is. Errors: Usage (one alone, or one that does not leave the
+    /// plane).
+    [[nodiscard]] Result<std::optional<Directions>>
+    givenDirections(const std::optional<PartingPlane>& plane) const;
+};
+
+/// A plane as [nx, ny, nz, o].
+[[nodiscard]] Json jsonOf(const PartingPlane& plane);
+
+} // namespace moldwright::cli

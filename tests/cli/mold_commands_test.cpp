@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The commands `verify`, `mold` and `info`, by running the real program.
+#include "castability/certificate.h"
+#include "cli/run_program.h"
+#include "exchange/mesh_file.h"
+#include "project/edits.h"
+#include "project/project_file.h"
+#include "support/casts.h"
+#include "support/folders.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace moldwright;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+class MoldCommands : public testing::Test {
+protected:
+    std::string in(const std::string& name) const { return m_folder.path() / name; }
+
+    /// A project whose cast is the part itself.
+    std::string project(const test::KnownCast& cast) const {
+        const auto mesh = std::make_shared<const IndexedMesh>(cast.mesh);
+        Project whole = withPart({}, "Box", "box.stl", mesh, {});
+        DesignResult result;
+        result.cast = mesh;
+        result.labels = labelSides(cast.mesh, cast.state.plane);
+        result.state = cast.state;
+        EXPECT_TRUE(saveProject(in("project.moldwright"), {withCast(whole, result, 1), "", ""}));
+        return in("project.moldwright");
+    }
+
+    test::ScratchFolder m_folder;
+    test::KnownCast m_box = test::frusta(20, 10, 5, 3, 0.1);
+};
+
+} // namespace
+
+TEST_F(MoldCommands, VerifySaysYesOfACast) {
+    ASSERT_TRUE(writeMesh(in("box.stl"), m_box.mesh, MeshFormat::StlBinary));
+    const test::Run run = test::runProgram(
+        {"verify", in("box.stl"), "--plane", "0", "0", "2", "0", "--draft", "5", "--json", "-"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["castable"], true);
+    EXPECT_NEAR(json["worst_draft_deg"].get<double>(), degrees(std::atan(0.1)), 1e-4);
+    EXPECT_EQ(json["violating_faces"], 0);
+    EXPECT_EQ(json["parting_curves_simple"], true);
+}
+
+TEST_F(MoldCommands, VerifySaysNoOfTooLittleDraft) {
+    ASSERT_TRUE(writeMesh(in("box.stl"), m_box.mesh, MeshFormat::StlBinary));
+    const test::Run run = test::runProgram(
+        {"verify", in("box.stl"), "--plane", "0", "0", "1", "0", "--draft", "6", "--json", "-"});
+    EXPECT_EQ(run.exitCode, 1) << run.err;
+    EXPECT_EQ(Json::parse(run.out)["violating_faces"], 16);
+}
+
+TEST_F(MoldCommands, VerifyNeedsAPlaneWithANormal) {
+    ASSERT_TRUE(writeMesh(in("box.stl"), m_box.mesh, MeshFormat::StlBinary));
+    EXPECT_EQ(test::runProgram({"verify", in("box.stl")}).exitCode, 2);
+    EXPECT_EQ(test::runProgram({"verify", in("box.stl"), "--plane", "0", "0", "0", "1"}).exitCode, 2);
+    EXPECT_EQ(test::runProgram({"verify", in("no.stl"), "--plane", "0", "0", "1", "0"}).exitCode, 3);
+}
+
+TEST_F(MoldCommands, MoldWritesHalvesThatVerify) {
+    const std::string file =
+        project(test::moved(test::sheared(m_box, 0.05, -0.03), {1, 2, 3}, 0.4, {3, 4, 5}));
+    const test::Run run = test::runProgram({"mold", file, "--out", in("out"), "--wall", "7", "--json", "-"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["verified"], true);
+    EXPECT_GE(json["min_wall"].get<double>(), 7 - 1e-6);
+    std::vector<std::string> verify = {"verify",
+                                       in("out/mold-cast.stl"),
+                                       "--plane",
+                                       "0",
+                                       "0",
+                                       "1",
+                                       "0",
+                                       "--half1",
+                                       in("out/mold-half-1.stl"),
+                                       "--half2",
+                                       in("out/mold-half-2.stl"),
+                                       "--json",
+                                       "-"};
+    for (const char* d : {"d1", "d2"}) {
+        verify.push_back(std::string("--") + d);
+        for (const Json& x : json[d])
+            verify.push_back(x.dump());
+    }
+    const test::Run proof = test::runProgram(verify);
+    EXPECT_EQ(proof.exitCode, 0) << proof.err << proof.out;
+    EXPECT_EQ(Json::parse(proof.out)["halves"][1]["free_to_move"], true);
+}
+
+TEST_F(MoldCommands, HalvesSwappedDoNotVerify) {
+    const std::string file = project(m_box);
+    ASSERT_EQ(test::runProgram({"mold", file, "--out", in("out")}).exitCode, 0);
+    const test::Run proof =
+        test::runProgram({"verify", in("out/mold-cast.stl"), "--plane", "0", "0", "1", "0", "--half1",
+                          in("out/mold-half-2.stl"), "--half2", in("out/mold-half-1.stl"), "--json", "-"});
+    EXPECT_EQ(proof.exitCode, 1);
+    EXPECT_EQ(Json::parse(proof.out)["castable"], true);
+    EXPECT_EQ(Json::parse(proof.out)["halves"][0]["free_to_move"], false);
+}
+
+TEST_F(MoldCommands, MoldTakesAFolderAndNeedsACast) {
+    project(m_box);
+    EXPECT_EQ(test::runProgram({"mold", m_folder.path(), "--out", in("out")}).exitCode, 0);
+    ASSERT_TRUE(saveProject(in("empty.moldwright"), {}));
+    const test::Run run = test::runProgram({"mold", in("empty.moldwright"), "--out", in("out")});
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_NE(run.err.find("holds no finished cast"), std::string::npos);
+}
+
+TEST_F(MoldCommands, InfoShowsTheManifest) {
+    const test::Run run = test::runProgram({"info", project(m_box), "--json", "-"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["name"], "Box");
+    EXPECT_EQ(json["cast"]["faces"], 20);
+    EXPECT_EQ(test::runProgram({"info", in("missing.moldwright")}).exitCode, 3);
+}
