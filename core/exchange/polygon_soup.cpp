@@ -36,6 +36,7 @@ std::vector<Eigen::Vector2d> flattened(const std::vector<Eigen::Vector3d>& point
     const Eigen::Vector3d across = normal.unitOrthogonal();
     const Eigen::Vector3d up = normal.cross(across);
     std::vector<Eigen::Vector2d> flat;
+    flat.reserve(local.size());
     for (const Eigen::Vector3d& p : local)
         flat.emplace_back(across.dot(p), up.dot(p));
     return flat;
@@ -117,7 +118,7 @@ IndexedMesh triangulated(const PolygonSoup& soup) {
     for (std::size_t v = 0; v < soup.points.size(); ++v)
         mesh.V.row(static_cast<Eigen::Index>(v)) = soup.points[v].transpose();
     // A polygon of n corners has n − 2 triangles.
-    mesh.F.resize(static_cast<Eigen::Index>(soup.corners.size()) - 2 * soup.polygonCount(), 3);
+    mesh.F.resize(static_cast<Eigen::Index>(soup.corners.size()) - 2L * soup.polygonCount(), 3);
     Eigen::Index f = 0;
     for (int p = 0; p < soup.polygonCount(); ++p) {
         const std::span<const int> ring = soup.polygon(p);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mesh/check.h"
+#include "mesh/cgal/face_pairs.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace moldwright {
 
@@ -15,12 +14,12 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const int*>;
 
-/// Exact questions about pairs of faces of one mesh, without any face of zero area.
-class FacePairs {
+} // namespace
+
+class FacePairs::Predicates {
 public:
-    explicit FacePairs(const IndexedMesh& mesh) : m_mesh(mesh) {
+    explicit Predicates(const IndexedMesh& mesh) : m_mesh(mesh) {
         m_points.reserve(static_cast<std::size_t>(mesh.vertexCount()));
         for (int v = 0; v < mesh.vertexCount(); ++v)
             m_points.emplace_back(mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2));
@@ -28,7 +27,6 @@ public:
 
     [[nodiscard]] bool flat(int f) const { return CGAL::collinear(corner(f, 0), corner(f, 1), corner(f, 2)); }
 
-    /// True when f and g meet elsewhere than at the points they share.
     [[nodiscard]] bool cross(int f, int g) const {
         std::array<std::pair<int, int>, 3> common; // corner of f, corner of g
         std::size_t count = 0;
@@ -73,42 +71,14 @@ private:
     std::vector<Point> m_points;
 };
 
-Box boxOf(const IndexedMesh& mesh, const int& f) {
-    Box box(&f);
-    for (int k = 0; k < 3; ++k)
-        box.extend(mesh.corner(f, k).data());
-    return box;
+FacePairs::FacePairs(const IndexedMesh& mesh) : m_predicates(std::make_unique<Predicates>(mesh)) {}
+FacePairs::~FacePairs() = default;
+
+bool FacePairs::flat(int f) const {
+    return m_predicates->flat(f);
 }
-
-} // namespace
-
-std::vector<std::pair<int, int>> selfIntersections(const IndexedMesh& mesh) {
-    const FacePairs pairs(mesh);
-    std::vector<int> faces;
-    for (int f = 0; f < mesh.faceCount(); ++f)
-        if (!pairs.flat(f))
-            faces.push_back(f);
-    std::vector<Box> boxes;
-    boxes.reserve(faces.size());
-    for (const int& f : faces)
-        boxes.push_back(boxOf(mesh, f));
-    std::vector<std::pair<int, int>> found;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-        const auto [f, g] = std::minmax(*a.handle(), *b.handle());
-        if (pairs.cross(f, g))
-            found.emplace_back(f, g);
-    });
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
-std::vector<int> flatFaces(const IndexedMesh& mesh) {
-    const FacePairs pairs(mesh);
-    std::vector<int> flat;
-    for (int f = 0; f < mesh.faceCount(); ++f)
-        if (pairs.flat(f))
-            flat.push_back(f);
-    return flat;
+bool FacePairs::cross(int f, int g) const {
+    return m_predicates->cross(f, g);
 }
 
 } // namespace moldwright
