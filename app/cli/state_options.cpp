@@ -79,6 +79,18 @@ StateOptions::givenDirections(const std::optional<PartingPlane>& given) const {
     return directions;
 }
 
+Result<MoldState> StateOptions::moldState() const {
+    const Result<std::optional<PartingPlane>> given = givenPlane();
+    if (!given)
+        return std::unexpected(given.error());
+    if (!*given)
+        return failure(ErrorCode::Usage, MW_TEXT("cli", "A parting plane is needed: --plane nx ny nz o."));
+    const Result<std::optional<Directions>> directions = givenDirections(*given);
+    if (!directions)
+        return std::unexpected(directions.error());
+    return MoldState{**given, *directions ? **directions : Directions::normalTo(**given)};
+}
+
 Json jsonOf(const PartingPlane& plane) {
     return {plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset};
 }

@@ -33,6 +33,10 @@ struct StateOptions {
     /// plane).
     [[nodiscard]] Result<std::optional<Directions>>
     givenDirections(const std::optional<PartingPlane>& plane) const;
+
+    /// Plane and directions together; directions that are not given are normal to the plane. Errors: Usage
+    /// (no plane too).
+    [[nodiscard]] Result<MoldState> moldState() const;
 };
 
 /// A plane as [nx, ny, nz, o].

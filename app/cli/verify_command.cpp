@@ -17,7 +17,6 @@ namespace {
 struct VerifyOptions {
     std::string cast;
     StateOptions state;
-    double draft = 1;
     std::string half1;
     std::string half2;
 };
@@ -62,8 +61,10 @@ Result<std::vector<CheckedHalf>> checkHalves(const VerifyOptions& options, const
     const Result<ReadMesh> second = readMesh(options.half2, task);
     if (!second)
         return std::unexpected(second.error());
-    halves.push_back({1, examineRelease(first->mesh, second->mesh, cast, directions.d1, options.draft)});
-    halves.push_back({2, examineRelease(second->mesh, first->mesh, cast, directions.d2, options.draft)});
+    halves.push_back(
+        {1, examineRelease(first->mesh, second->mesh, cast, directions.d1, options.state.draft)});
+    halves.push_back(
+        {2, examineRelease(second->mesh, first->mesh, cast, directions.d2, options.state.draft)});
     return halves;
 }
 
@@ -88,7 +89,7 @@ Result<ExitCode> verify(const VerifyOptions& options, const Session& session) {
         return std::unexpected(cast.error());
     session.task().progress(0.3, "Proving");
     const SideLabels labels = labelSides(cast->mesh, state->plane);
-    const Certificate proof = certify(cast->mesh, labels, *state, options.draft);
+    const Certificate proof = certify(cast->mesh, labels, *state, options.state.draft);
     const Result<std::vector<CheckedHalf>> halves =
         checkHalves(options, cast->mesh, state->directions, session.task().part(0.5, 1));
     if (!halves)
@@ -127,9 +128,6 @@ Command verifyCommand() {
                 auto options = std::make_shared<VerifyOptions>();
                 app.add_option("CAST", options->cast, "Mesh file of the cast")->type_name("FILE")->required();
                 options->state.declare(app, true);
-                app.add_option("--draft", options->draft, "Draft angle to prove, degrees; the default is 1")
-                    ->type_name("DEGREES")
-                    ->check(CLI::Range(0.0, 89.0).description(""));
                 CLI::Option* half1 = app.add_option("--half1", options->half1, "Mesh file of mold half 1");
                 CLI::Option* half2 = app.add_option("--half2", options->half2, "Mesh file of mold half 2");
                 half1->type_name("FILE")->needs(half2);

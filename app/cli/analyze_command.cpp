@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/analyze_command.h"
+
+#include "castability/analysis.h"
+#include "castability/directions.h"
+#include "cli/load_part.h"
+#include "cli/state_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace moldwright::cli {
+
+namespace {
+
+struct AnalyzeOptions {
+    std::string input;
+    StateOptions state;
+    double maxTilt = 30;
+};
+
+Json jsonOf(const DraftAnalysis& analysis, const MoldState& state) {
+    Json json = {{"plane", cli::jsonOf(state.plane)},
+                 {"d1", cli::jsonOf(state.directions.d1)},
+                 {"d2", cli::jsonOf(state.directions.d2)},
+                 {"energy", analysis.energy},
+                 {"castable", analysis.castable()},
+                 {"violating_area_fraction", analysis.violatingAreaFraction},
+                 {"worst_draft_deg", analysis.worstDraftDegrees},
+                 {"undercuts", Json::array()},
+                 {"draft_histogram", Json::array()}};
+    for (const Undercut& undercut : analysis.undercuts)
+        json["undercuts"].push_back({{"side", undercut.side},
+                                     {"area", undercut.area},
+                                     {"depth", undercut.depth},
+                                     {"place", cli::jsonOf(undercut.place)},
+                                     {"faces", undercut.faces}});
+    for (std::size_t i = 0; i < analysis.histogram.areaFraction.size(); ++i)
+        json["draft_histogram"].push_back({{"from_deg", DraftHistogram::edges[i]},
+                                           {"to_deg", DraftHistogram::edges[i + 1]},
+                                           {"area_fraction", analysis.histogram.areaFraction[i]}});
+    return json;
+}
+
+Result<ExitCode> analyze(const AnalyzeOptions& options, const Session& session) {
+    const Result<std::optional<PartingPlane>> plane = options.state.givenPlane();
+    if (!plane)
+        return std::unexpected(plane.error());
+    const Result<std::optional<Directions>> directions = options.state.givenDirections(*plane);
+    if (!directions)
+        return std::unexpected(directions.error());
+    const Result<IndexedMesh> part = loadPart(options.input, session);
+    if (!part)
+        return std::unexpected(part.error());
+    const double draft = options.state.draft;
+    const MoldState state{**plane, *directions ? **directions
+                                               : bestDirections(*part, **plane, draft, options.maxTilt)};
+    const DraftAnalysis analysis = analyzeDraft(*part, state, draft);
+    session.out() << readable(100 * analysis.violatingAreaFraction, 3) << " % of the surface below "
+                  << readable(draft) << "°, worst draft " << readable(analysis.worstDraftDegrees, 3) << "°, "
+                  << analysis.undercuts.size() << " undercuts.\n";
+    if (const Result<void> written = session.writeJson(jsonOf(analysis, state)); !written)
+        return std::unexpected(written.error());
+    return analysis.castable() ? ExitCode::Yes : ExitCode::No;
+}
+
+} // namespace
+
+Command analyzeCommand() {
+    return {"analyze", "Analyses draft and undercuts of a mesh at a plane",
+            "Without --d1 and --d2 the directions are optimised. Exit code 0 says that every face has the "
+            "draft, 1 that\n"
+            "some do not. The JSON holds energy, castable, violating_area_fraction, worst_draft_deg, "
+            "undercuts[] (side,\n"
+            "area in mm², depth in mm, place, faces) and draft_histogram[].",
+            [](CLI::App& app) -> Action {
+                const auto options = std::make_shared<AnalyzeOptions>();
+                app.add_option("IN", options->input, "Mesh file")->required();
+                options->state.declare(app, true);
+                app.add_option("--max-tilt", options->maxTilt,
+                               "Largest angle of an optimised direction to the normal")
+                    ->check(CLI::Range(0.0, 80.0))
+                    ->capture_default_str();
+                return [options](const Session& session) { return analyze(*options, session); };
+            }};
+}
+
+} // namespace moldwright::cli

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/design_command.h"
+
+#include "cli/design_files.h"
+#include "cli/load_part.h"
+#include "cli/state_options.h"
+#include "design/stopwatch.h"
+#include "mesh/measures.h"
+#include "mold/mold_files.h"
+#include "project/edits.h"
+#include "project/project_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <memory>
+
+namespace moldwright::cli {
+
+namespace {
+
+constexpr double kSmallPart = 5;    ///< mm: below, default walls and drafts hardly suit
+constexpr double kLargePart = 2000; ///< mm: above, the file's unit was probably another
+
+struct DesignOptions {
+    std::string input;
+    std::string output;
+    StateOptions state;
+    std::string directions = "auto";
+    std::string pins = "none";
+    std::string fill = "auto";
+    std::string method = "default";
+    std::string units = "mm";
+    double scale = 1;
+    double size = 0;
+    double maxTilt = 30;
+    bool mold = false;
+    MoldSettings block;
+};
+
+const std::map<std::string, Unit> kUnits = {
+    {"mm", Unit::Millimetre}, {"cm", Unit::Centimetre}, {"m", Unit::Metre}, {"in", Unit::Inch}};
+const std::map<std::string, double> kMillimetres = {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}};
+
+/// The file's numbers to millimetres: the unit, then the scale or the size asked for.
+Placement placementFor(const DesignOptions& options, const IndexedMesh& source) {
+    Placement placement;
+    placement.unit = kUnits.at(options.units);
+    placement.scale = kMillimetres.at(options.units) * options.scale;
+    if (options.size > 0)
+        placement.scale = options.size / boundingBox(source).sizes().maxCoeff();
+    return placement;
+}
+
+std::vector<Message> sizeWarnings(const IndexedMesh& part) {
+    const double size = boundingBox(part).sizes().maxCoeff();
+    if (size >= kSmallPart && size <= kLargePart)
+        return {};
+    return {
+        {MW_TEXT("cli",
+                 "The part is {0} mm long: the defaults for walls and draft hardly suit it. Give --units, "
+                 "--scale or --size if this is not its size."),
+         {readable(size)}}};
+}
+
+Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, const Session& session) {
+    DesignRequest request;
+    request.part = std::move(part);
+    const Result<std::optional<PartingPlane>> plane = options.state.givenPlane();
+    if (!plane)
+        return std::unexpected(plane.error());
+    const Result<std::optional<Directions>> directions = options.state.givenDirections(*plane);
+    if (!directions)
+        return std::unexpected(directions.error());
+    request.plane = *plane;
+    if (*directions) {
+        request.directions = **directions;
+        request.directionsChoice = DirectionsChoice::Given;
+    } else if (options.directions == "normal") {
+        request.directionsChoice = DirectionsChoice::Normal;
+    }
+    request.draftDegrees = options.state.draft;
+    request.maxTiltDegrees = options.maxTilt;
+    request.method = options.method == "paper" ? DeformationMethod::Paper : DeformationMethod::Default;
+    request.seed = session.seed();
+    return request;
+}
+
+Project projectOf(const DesignOptions& options, const IndexedMesh& source, const Placement& placement,
+                  const DesignRequest& request, const DesignResult& result) {
+    Project project;
+    project.design = {request.draftDegrees, request.maxTiltDegrees, request.directionsChoice, request.method,
+                      request.seed};
+    project.mold = options.block;
+    const std::filesystem::path file(options.input);
+    project = withPart(std::move(project), file.stem().string(), file.filename().string(),
+                       std::make_shared<const IndexedMesh>(source), placement);
+    project = withState(std::move(project), result.state, request.plane.has_value());
+    return result.castable ? withCast(std::move(project), result, request.draftDegrees) : project;
+}
+
+Result<void> writeMoldOf(const DesignOptions& options, const DesignRequest& request, DesignResult& result,
+                         const Task& task) {
+    const Stopwatch watch(result.seconds, "mold");
+    const Result<Mold> mold =
+        buildMold(*result.cast, result.labels, result.state, request.draftDegrees, options.block, task);
+    if (!mold)
+        return std::unexpected(mold.error());
+    if (!mold->verified())
+        return failure(ErrorCode::Internal, MW_TEXT("cli", "The mold could not be proved: {0}"),
+                       {mold->problems.empty() ? mold->castCertificate.reason : mold->problems.front()});
+    return writeMold(*mold, std::filesystem::path(options.input).stem().string(), options.output);
+}
+
+void tell(const DesignResult& result, const Session& session) {
+    if (result.castable)
+        session.out() << "Castable: every face proved at "
+                      << readable(result.certificate.worstDraftDegrees, 3) << "° or more.\n";
+    else
+        session.out() << "Not castable: " << result.certificate.reason << '\n';
+    session.out() << "Mean change " << readable(100 * result.change.meanDistance, 2)
+                  << " % of the diagonal, volume " << readable(100 * result.change.volumeRatio, 3) << " %.\n";
+}
+
+Result<ExitCode> runDesign(const DesignOptions& options, const Session& session) {
+    std::map<std::string, double> seconds;
+    auto whole = std::make_unique<Stopwatch>(seconds, "total");
+    Result<IndexedMesh> source = [&] {
+        const Stopwatch watch(seconds, "load");
+        return loadPart(options.input, session);
+    }();
+    if (!source)
+        return std::unexpected(source.error());
+    const Placement placement = placementFor(options, *source);
+    const auto part = std::make_shared<const IndexedMesh>(placed(*source, placement));
+    const Result<DesignRequest> request = requestFor(options, part, session);
+    if (!request)
+        return std::unexpected(request.error());
+    Result<DesignResult> result = design(*request, session.task().part(0.05, options.mold ? 0.85 : 1));
+    if (!result)
+        return std::unexpected(result.error());
+    result->warnings = sizeWarnings(*part);
+    for (const Message& warning : result->warnings)
+        session.tell(warning);
+    if (options.mold && result->castable)
+        if (const Result<void> done = writeMoldOf(options, *request, *result, session.task().part(0.85, 1));
+            !done)
+            return std::unexpected(done.error());
+    whole.reset();
+    result->seconds.insert(seconds.begin(), seconds.end());
+    const std::string name = std::filesystem::path(options.input).filename().string();
+    const std::filesystem::path folder(options.output);
+    if (auto done = writeDesign(folder, name, *request, *result); !done)
+        return std::unexpected(done.error());
+    const StoredProject stored{projectOf(options, *source, placement, *request, *result), "", ""};
+    if (auto done = saveProject(folder / "project.moldwright", stored); !done)
+        return std::unexpected(done.error());
+    if (auto done = session.writeJson(designJson(name, *request, *result)); !done)
+        return std::unexpected(done.error());
+    tell(*result, session);
+    return result->castable ? ExitCode::Yes : ExitCode::No;
+}
+
+void declareOptions(CLI::App& app, DesignOptions& o) {
+    app.add_option("IN", o.input, "Mesh file")->required();
+    app.add_option("--out", o.output, "Folder for the results")->required();
+    o.state.declare(app, false);
+    app.add_option("--directions", o.directions, "auto or normal; --d1 and --d2 fix them")
+        ->check(CLI::IsMember({"auto", "normal"}))
+        ->capture_default_str();
+    app.add_option("--max-tilt", o.maxTilt, "Largest angle of a direction to the plane's normal, degrees")
+        ->check(CLI::Range(0.0, 80.0))
+        ->capture_default_str();
+    app.add_option("--method", o.method, "default, or paper: the published method as described")
+        ->check(CLI::IsMember({"default", "paper"}))
+        ->capture_default_str();
+    app.add_option("--pins", o.pins, "none")->check(CLI::IsMember({"none"}))->capture_default_str();
+    app.add_option("--fill", o.fill, "auto or none")
+        ->check(CLI::IsMember({"auto", "none"}))
+        ->capture_default_str();
+    app.add_option("--units", o.units, "Unit of the file's numbers")
+        ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
+        ->capture_default_str();
+    CLI::Option* scale =
+        app.add_option("--scale", o.scale, "Factor on the file's size")->check(CLI::PositiveNumber);
+    app.add_option("--size", o.size, "Longest side of the part, mm")
+        ->check(CLI::PositiveNumber)
+        ->excludes(scale);
+    app.add_flag("--mold", o.mold, "Also build, prove and write the mold halves");
+    app.add_option("--wall", o.block.wall, "Steel around the cavity, mm")->check(CLI::PositiveNumber);
+}
+
+} // namespace
+
+Command designCommand() {
+    return {"design", "Bends a mesh until it is castable, proves it, and writes cast and mold",
+            "Writes cast.ply, cast.stl, project.moldwright, design.json and timings.json into the folder; "
+            "with --mold also\n"
+            "the mold halves. Exit code 0: castable and proved. 1: not castable, no obstruction found. 4: an "
+            "obstruction\n"
+            "stands in the way, named with its place.\n\n"
+            "Example: moldwright-cli design rabbit.ply --out rabbit --size 80 --draft 1 --mold",
+            [](CLI::App& app) -> Action {
+                const auto options = std::make_shared<DesignOptions>();
+                declareOptions(app, *options);
+                return [options](const Session& session) {
+                    DesignOptions run = *options;
+                    run.block.floor = run.block.ceiling = run.block.wall;
+                    return runDesign(run, session);
+                };
+            }};
+}
+
+} // namespace moldwright::cli
