@@ -41,7 +41,10 @@ Dock::Dock(const QString& name, const QString& title, QWidget* content, QWidget*
     connect(floatButton, &QToolButton::clicked, this, [this] { setFloating(!isFloating()); });
     row->addWidget(floatButton);
     QToolButton* closeButton = titleButton(QStringLiteral("close"), tr("Close %1").arg(title), bar);
-    connect(closeButton, &QToolButton::clicked, this, &QDockWidget::close);
+    connect(closeButton, &QToolButton::clicked, this, [this] {
+        close();
+        Q_EMIT closed();
+    });
     row->addWidget(closeButton);
     connect(this, &QDockWidget::windowTitleChanged, label, &QLabel::setText);
     setTitleBarWidget(bar);

@@ -11,6 +11,10 @@ class Dock : public QDockWidget {
     Q_OBJECT
 public:
     Dock(const QString& name, const QString& title, QWidget* content, QWidget* parent);
+
+Q_SIGNALS:
+    /// The user closed it.
+    void closed();
 };
 
 } // namespace moldwright

@@ -15,10 +15,10 @@ struct ProjectRow {
     QString id;      ///< stays the same while the project changes
     int parent = -1; ///< index of the parent among the rows; parents come first
     QString iconName;
-    std::optional<QColor> tint; ///< icon in one colour, for sides
+    std::optional<QColor> tint = {}; ///< icon in one colour, for sides
     QString name;
-    QString value;
-    std::optional<bool> visible; ///< none: has no eye
+    QString value = {};
+    std::optional<bool> visible = {}; ///< none: has no eye
     bool strong = false;
     bool stale = false;
     bool renamable = false;

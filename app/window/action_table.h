@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace moldwright {
+
+/// What must be so for a command to make sense.
+enum class Needs {
+    Nothing,
+    Idle,
+    Part,
+    IdlePart,
+    Plane,
+    IdlePlane,
+    CastShape,
+    ProvedCast,
+    MoldBuilt,
+    Running,
+    Undo,
+    Redo
+};
+
+/// One command of the program. Menu, tool bar, shortcut, tool tip, status hint, key sheet and command search
+/// are all made from this table.
+struct ActionSpec {
+    const char* id;
+    const char* menu; ///< English title of its menu; a '/' parts a submenu
+    const char* text; ///< English, with the mnemonic
+    const char* icon; ///< name, or empty
+    const char* shortcut;
+    const char* hint; ///< English sentence for status bar and tool tip
+    Needs needs = Needs::Nothing;
+    bool checkable = false;
+    bool separatorBefore = false;
+};
+
+/// All commands in the order of the menus.
+[[nodiscard]] std::span<const ActionSpec> actionTable();
+
+/// The commands as Qt actions, translated, by id.
+class Actions : public QObject {
+    Q_OBJECT
+public:
+    explicit Actions(QObject* parent);
+
+    [[nodiscard]] QAction* operator[](const QString& id) const { return m_actions.at(id); }
+    [[nodiscard]] const std::vector<QAction*>& all() const { return m_ordered; }
+
+    /// What the command does.
+    void on(const QString& id, const std::function<void()>& run);
+
+    /// Enables each command by what it needs.
+    void update(const std::function<bool(Needs)>& isSo);
+
+private:
+    std::map<QString, QAction*> m_actions;
+    std::vector<QAction*> m_ordered;
+};
+
+} // namespace moldwright

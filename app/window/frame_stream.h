@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/analysis.h"
+#include "design/design.h"
+#include "panels/progress_plots.h"
+
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace moldwright {
+
+/// A frame of a run, ready to be shown.
+struct ShownFrame {
+    DesignFrame frame;
+    DraftAnalysis analysis;
+};
+
+/// Where a running design leaves its frames: a slot for the newest frame and a list of every step's numbers.
+/// The run writes on its thread, the view takes at display rate; what the view does not take in time is
+/// replaced.
+class FrameStream {
+public:
+    /// Called by the run after every step.
+    void put(const DesignFrame& frame, double draftDegrees);
+
+    /// The newest frame not yet taken, and the numbers of the steps since the last time.
+    [[nodiscard]] std::optional<ShownFrame> take(std::vector<ProgressPoint>& points);
+
+private:
+    std::mutex m_mutex;
+    std::optional<ShownFrame> m_newest;
+    std::vector<ProgressPoint> m_points;
+};
+
+} // namespace moldwright

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/history.h"
+
+#include <set>
+
+namespace moldwright {
+
+namespace {
+
+std::size_t bytesOf(const IndexedMesh& mesh) {
+    return sizeof(double) * static_cast<std::size_t>(mesh.V.size()) +
+           sizeof(int) * static_cast<std::size_t>(mesh.F.size());
+}
+
+} // namespace
+
+void History::push(Step step) {
+    m_steps.resize(m_done);
+    if (m_saved > static_cast<std::ptrdiff_t>(m_done))
+        m_saved = -1;
+    const bool merges =
+        !step.mergeKey.isEmpty() && m_done > 0 && !atSaved() && m_steps.back().mergeKey == step.mergeKey;
+    if (merges) {
+        m_steps.back().after = std::move(step.after);
+        return;
+    }
+    m_steps.push_back(std::move(step));
+    ++m_done;
+    while (m_done > 1 && bytes() > m_mostBytes) {
+        m_steps.erase(m_steps.begin());
+        --m_done;
+        --m_saved;
+    }
+}
+
+void History::clear() {
+    m_steps.clear();
+    m_done = 0;
+    m_saved = 0;
+}
+
+std::size_t History::bytes() const {
+    // A mesh that several steps share is held once.
+    std::set<const void*> seen;
+    std::size_t sum = 0;
+    const auto count = [&](const SharedMesh& mesh) {
+        if (mesh && seen.insert(mesh.get()).second)
+            sum += bytesOf(*mesh);
+    };
+    for (const Step& step : m_steps)
+        for (const Project* project : {&step.before, &step.after}) {
+            count(project->source);
+            count(project->part);
+            if (project->cast)
+                count(project->cast->mesh);
+            sum += sizeof(Project) + sizeof(double) * project->faceWeights.size();
+        }
+    return sum;
+}
+
+} // namespace moldwright

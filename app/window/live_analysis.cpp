@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/live_analysis.h"
+
+namespace moldwright {
+
+LiveAnalysis::LiveAnalysis(QObject* parent) : QObject(parent) {
+    m_thread.setObjectName(QStringLiteral("analysis"));
+    m_place.moveToThread(&m_thread);
+    m_thread.start();
+}
+
+LiveAnalysis::~LiveAnalysis() {
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void LiveAnalysis::ask(const AnalysisRequest& request) {
+    const std::lock_guard lock(m_mutex);
+    const bool asleep = !m_waiting;
+    m_waiting = request;
+    if (asleep)
+        QMetaObject::invokeMethod(&m_place, [this] { work(); });
+}
+
+void LiveAnalysis::work() {
+    std::optional<AnalysisRequest> request;
+    {
+        const std::lock_guard lock(m_mutex);
+        request.swap(m_waiting);
+    }
+    if (!request)
+        return;
+    auto answer = std::make_shared<AnalysisAnswer>();
+    answer->request = *request;
+    if (request->state)
+        answer->analysis = analyzeDraft(*request->mesh, *request->state, request->draftDegrees, false);
+    if (request->state && !request->labels.empty())
+        answer->certificate =
+            certify(*request->mesh, request->labels, *request->state, request->draftDegrees);
+    if (!m_picker || m_picker->mesh() != request->mesh)
+        m_picker = std::make_shared<scene::SurfacePicker>(request->mesh);
+    answer->picker = m_picker;
+    QMetaObject::invokeMethod(this, [this, answer] { Q_EMIT answered(answer); });
+}
+
+} // namespace moldwright

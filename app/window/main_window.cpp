@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/main_window.h"
+
+#include "mesh/measures.h"
+#include "panels/banner.h"
+#include "panels/dock_title.h"
+#include "panels/message_list.h"
+#include "panels/progress_plots.h"
+#include "panels/project_tree.h"
+#include "panels/property_panel.h"
+#include "panels/start_page.h"
+#include "panels/step_button.h"
+#include "panels/workflow_bar.h"
+#include "project/edits.h"
+#include "theme/theme.h"
+#include "view/part_view.h"
+#include "window/preferences.h"
+#include "window/property_pages.h"
+#include "window/view_bar.h"
+#include "window/workbench.h"
+
+#include <QCloseEvent>
+#include <QListWidget>
+#include <QMimeData>
+#include <QScopedValueRollback>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+MainWindow::MainWindow(Workbench& bench, QWidget* parent)
+    : QMainWindow(parent), m_bench(bench), m_actions(this) {
+    setWindowIcon(themeIcon(u"moldwright"_s));
+    setMinimumSize(1024, 700);
+    setAcceptDrops(true);
+    setAnimated(false);
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(0);
+    connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
+    buildMenus();
+    buildWorkflow();
+    buildCentre();
+    buildDocks();
+    buildStatusBar();
+    connectActions();
+    connectBench();
+    connectPanels();
+    restoreLayout();
+    applyTheme();
+    refresh();
+    if (m_bench.project().part)
+        m_view->fitAll(true);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::applyTheme() {
+    const Theme& t = theme();
+    m_view->scene().setLook(t.scene, m_view->devicePixelRatioF());
+    QPalette panel = t.palette;
+    panel.setColor(QPalette::Window, t.panel);
+    m_properties->setPalette(panel);
+    QPalette bar = t.palette;
+    bar.setColor(QPalette::Window, t.panel);
+    bar.setColor(QPalette::Button, t.panel);
+    m_workflow->setPalette(bar);
+    m_workflow->setAutoFillBackground(true);
+    m_shownMesh = nullptr;
+    m_shownMold = nullptr;
+    refreshProperties(true);
+    refreshSoon();
+}
+
+void MainWindow::refresh() {
+    const bool open = m_bench.project().part != nullptr;
+    m_centre->setCurrentIndex(open ? 1 : 0);
+    for (Dock* dock : m_docks)
+        dock->setVisible(open && dock->toggleViewAction()->property("wanted").toBool());
+    if (!open)
+        m_start->setRecent(preferences::recentFiles());
+    m_workflow->setStepsEnabled(open);
+    const auto states = stepStates(m_bench);
+    for (int step = 0; step < stepCount; ++step)
+        m_workflow->setStanding(step, states[step].standing, states[step].words);
+    const Verdict verdict = verdictOf(m_bench);
+    m_workflow->verdict()->setVerdict(verdict.standing, verdict.sentence, verdict.reason);
+    m_projectModel->setRows(projectRows(m_bench, m_visible));
+    m_tree->select(m_selected);
+    m_plots->setRequiredDraft(m_bench.project().design.draftDegrees);
+    if (m_bench.progress().size() < m_plots->points().size())
+        m_plots->clear();
+    while (m_plots->points().size() < m_bench.progress().size())
+        m_plots->add(m_bench.progress()[m_plots->points().size()]);
+    refreshView();
+    refreshHistory();
+    refreshActions();
+    refreshTitle();
+    refreshProperties();
+}
+
+void MainWindow::refreshView() {
+    scene::Scene& scene = m_view->scene();
+    const SharedMesh mesh = m_bench.shownMesh();
+    const std::vector<scene::Rgb> colours = faceColours(m_bench, m_mode);
+    if (mesh.get() != m_shownMesh) {
+        scene.setSurface(mesh, colours);
+        m_shownMesh = mesh.get();
+    } else {
+        scene.setFaceColours(colours);
+    }
+    const std::optional<MoldState> state = m_bench.shownState();
+    scene.setState(mesh ? state : std::nullopt);
+    if (m_bench.analysis())
+        m_view->setPicker(m_bench.analysis()->picker);
+    showMold(moldShown());
+    const bool inMold = moldShown();
+    scene.setSurfaceVisible(m_visible.shape);
+    scene.setPlaneVisible(m_visible.plane && !inMold);
+    scene.setDirectionsVisible(m_visible.directions && !inMold);
+    m_view->setPlaneEditable(m_visible.plane && !inMold && !m_bench.background().busy());
+    scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, m_mode));
+    scene.setStateChip(stateChipFor(m_bench));
+    std::vector<scene::Chip> chips;
+    if (mesh && state && m_visible.directions && !inMold)
+        for (const int side : {1, 2})
+            chips.push_back(
+                {scene.arrowTip(side),
+                 {{},
+                  {{std::nullopt,
+                    {{std::to_string(side), side == 1 ? scene::Ink::Side1 : scene::Ink::Side2, true},
+                     {tr("%1 to plane normal").arg(angleText(tiltDegrees(*state, side))).toStdString()}},
+                    {}}}}});
+    scene.setChips(chips);
+    m_view->update();
+}
+
+bool MainWindow::moldShown() const {
+    return m_bench.moldIsCurrent() && m_visible.mold &&
+           (m_selected == u"mold"_s || m_selected.startsWith(u"half"_s));
+}
+
+void MainWindow::showMold(bool shown) {
+    const void* wanted = shown ? m_bench.mold().get() : nullptr;
+    m_viewBar->setMoldShown(shown);
+    if (wanted == m_shownMold)
+        return;
+    m_shownMold = wanted;
+    scene::Scene& scene = m_view->scene();
+    if (shown) {
+        const Mold& mold = *m_bench.mold();
+        scene.setHalves(mold.half1.mesh, mold.half2.mesh, mold.partToMold.inverse(),
+                        m_bench.project().cast->state.directions);
+        scene.setOpening(m_viewBar->opening());
+    } else {
+        scene.setHalves(nullptr, nullptr, Eigen::Isometry3d::Identity(), {});
+    }
+}
+
+void MainWindow::refreshHistory() {
+    const History& history = m_bench.document().history();
+    const QSignalBlocker quiet(m_history);
+    m_history->clear();
+    m_history->addItem(m_bench.project().part ? tr("Opened") : QString());
+    for (const History::Step& step : history.steps())
+        m_history->addItem(step.words);
+    for (int row = static_cast<int>(history.done()) + 1; row < m_history->count(); ++row)
+        m_history->item(row)->setForeground(theme().palette.color(QPalette::Disabled, QPalette::Text));
+    m_history->setCurrentRow(static_cast<int>(history.done()));
+}
+
+void MainWindow::refreshActions() {
+    const Project& project = m_bench.project();
+    const bool idle = !m_bench.background().busy();
+    const bool part = project.part != nullptr;
+    const bool plane = part && project.state.has_value();
+    const History& history = m_bench.document().history();
+    m_actions.update([&](Needs needs) {
+        switch (needs) {
+        case Needs::Nothing:
+            return true;
+        case Needs::Idle:
+            return idle;
+        case Needs::Part:
+            return part;
+        case Needs::IdlePart:
+            return part && idle;
+        case Needs::Plane:
+            return plane;
+        case Needs::IdlePlane:
+            return plane && idle;
+        case Needs::CastShape:
+            return idle && project.cast != nullptr;
+        case Needs::ProvedCast:
+            return idle && m_bench.castIsProved();
+        case Needs::MoldBuilt:
+            return idle && m_bench.moldIsCurrent();
+        case Needs::Running:
+            return m_bench.running();
+        case Needs::Undo:
+            return idle && history.canUndo();
+        case Needs::Redo:
+            return idle && history.canRedo();
+        }
+        return false;
+    });
+    m_actions[u"run"_s]->setVisible(!m_bench.running());
+    m_actions[u"stop"_s]->setVisible(m_bench.running());
+    m_actions[u"show-plane"_s]->setChecked(m_visible.plane);
+    m_actions[u"show-directions"_s]->setChecked(m_visible.directions);
+}
+
+void MainWindow::refreshTitle() {
+    const Project& project = m_bench.project();
+    if (!project.part) {
+        setWindowTitle(tr("Moldwright"));
+        return;
+    }
+    const QString name = QString::fromStdString(project.name);
+    setWindowTitle(m_bench.document().isChanged() ? tr("%1 (changed) · Moldwright").arg(name)
+                                                  : tr("%1 · Moldwright").arg(name));
+}
+
+void MainWindow::refreshProperties(bool evenIfSame) {
+    if (!m_bench.project().part)
+        return;
+    const PropertyPage page = propertyPage(m_selected, m_bench, m_actions);
+    // The mold's page has other buttons once the mold is built.
+    const QString layout =
+        page.id + (page.id == u"mold"_s && m_bench.moldIsCurrent() ? u"-built"_s : QString());
+    m_properties->showPage(page, evenIfSame || layout != m_properties->property("layout").toString());
+    m_properties->setProperty("layout", layout);
+    fillPage(*m_properties, m_bench);
+}
+
+void MainWindow::select(const QString& id) {
+    if (id == m_selected)
+        return;
+    m_selected = id;
+    m_tree->select(id);
+    const Step step = id == u"plane"_s || id.startsWith(u"direction"_s) ? Step::Plane
+                      : id == u"deform"_s                               ? Step::Deform
+                      : id == u"cast"_s                                 ? Step::Check
+                      : id == u"mold"_s || id.startsWith(u"half"_s)     ? Step::Mold
+                                                                        : Step::Part;
+    m_workflow->setCurrentStep(static_cast<int>(step));
+    refreshSoon();
+}
+
+void MainWindow::chooseStep(int step) {
+    switch (static_cast<Step>(step)) {
+    case Step::Part:
+        select(u"part"_s);
+        break;
+    case Step::Plane:
+        select(u"plane"_s);
+        break;
+    case Step::Deform:
+        select(u"deform"_s);
+        break;
+    case Step::Check:
+        select(m_bench.project().cast ? u"cast"_s : u"deform"_s);
+        break;
+    case Step::Mold:
+        select(u"mold"_s);
+        break;
+    case Step::Report:
+        m_actions[u"print-report"_s]->trigger();
+        break;
+    }
+}
+
+void MainWindow::setMode(DisplayMode mode) {
+    m_mode = mode;
+    m_viewBar->setMode(mode);
+    m_actions[u"show-undercuts"_s]->setChecked(mode == DisplayMode::Undercuts);
+    m_actions[u"show-draft"_s]->setChecked(mode == DisplayMode::DraftMap);
+    m_actions[u"show-plain"_s]->setChecked(mode == DisplayMode::Plain);
+    refreshSoon();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    openPath(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    preferences::setLayout(u"geometry"_s, saveGeometry());
+    if (m_bench.project().part)
+        preferences::setLayout(u"docks"_s, saveState(1));
+    event->accept();
+}
+
+} // namespace moldwright

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "theme/theme.h"
+#include "window/action_table.h"
+#include "window/presentation.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+class QActionGroup;
+class QLabel;
+class QListWidget;
+class QStackedWidget;
+
+namespace moldwright {
+
+class Banner;
+class CommandSearch;
+class MessageList;
+class PartView;
+class ProgressPlots;
+class ProjectModel;
+class ProjectTree;
+class PropertyPanel;
+class StartPage;
+class ViewBar;
+class WorkflowBar;
+class Workbench;
+struct OpenedMesh;
+
+/// The window: shows the workbench and sends it what the user wants. It holds no data of its own but what is
+/// hidden and selected, so that it can be built anew when the language changes.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    MainWindow(Workbench& bench, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] Actions& actions() { return m_actions; }
+    [[nodiscard]] PartView& view() { return *m_view; }
+
+    /// Opens a project or a mesh, by its ending.
+    void openPath(const QString& file);
+
+Q_SIGNALS:
+    void languageChosen(const QString& language);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    // main_window_layout.cpp
+    void buildMenus();
+    void buildLanguageMenu(QMenu* menu);
+    void buildNavigationMenu(QMenu* menu);
+    void buildWorkflow();
+    void buildCentre();
+    void buildDocks();
+    void buildStatusBar();
+    void restoreLayout();
+
+    // main_window_actions.cpp
+    void connectActions();
+    void connectFileActions();
+    void connectViewActions();
+    void connectPartActions();
+    void connectWindowActions();
+    void connectBench();
+    void connectPanels();
+    void chooseFileToOpen();
+    void chooseFileToExport();
+    void chooseFolderForMold();
+    void askUnit(const OpenedMesh& opened);
+    void saveScreenshot();
+    void showKeys();
+    void showAbout();
+    void walkZones(int way);
+    void useThemeChoice(ThemeChoice choice);
+    void escape();
+
+    // main_window.cpp
+    void refreshSoon() { m_refresh.start(); }
+    void refresh();
+    void refreshView();
+    void refreshHistory();
+    void refreshActions();
+    void refreshTitle();
+    void refreshProperties(bool evenIfSame = false);
+    void select(const QString& id);
+    void chooseStep(int step);
+    void setMode(DisplayMode mode);
+    void showMold(bool shown);
+    [[nodiscard]] bool moldShown() const;
+    void applyTheme();
+
+    Workbench& m_bench;
+    Actions m_actions;
+    QTimer m_refresh;
+    Visibility m_visible;
+    DisplayMode m_mode = DisplayMode::Undercuts;
+    QString m_selected = QStringLiteral("part");
+    const void* m_shownMesh = nullptr; ///< what the scene holds, to change it only when needed
+    const void* m_shownMold = nullptr;
+
+    WorkflowBar* m_workflow = nullptr;
+    QStackedWidget* m_centre = nullptr;
+    StartPage* m_start = nullptr;
+    Banner* m_banner = nullptr;
+    ViewBar* m_viewBar = nullptr;
+    PartView* m_view = nullptr;
+    ProjectModel* m_projectModel = nullptr;
+    ProjectTree* m_tree = nullptr;
+    PropertyPanel* m_properties = nullptr;
+    ProgressPlots* m_plots = nullptr;
+    MessageList* m_messages = nullptr;
+    QListWidget* m_history = nullptr;
+    CommandSearch* m_search = nullptr;
+    QLabel* m_navigationLabel = nullptr;
+    QMenu* m_dockMenu = nullptr;
+    QList<class Dock*> m_docks;
+    QByteArray m_firstLayout;
+};
+
+} // namespace moldwright

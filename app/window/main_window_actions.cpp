@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What each command and each panel of the window does.
+#include "window/main_window.h"
+
+#include "mesh/measures.h"
+#include "panels/banner.h"
+#include "panels/command_search.h"
+#include "panels/dock_title.h"
+#include "panels/key_sheet.h"
+#include "panels/message_list.h"
+#include "panels/project_tree.h"
+#include "panels/property_panel.h"
+#include "panels/start_page.h"
+#include "panels/step_button.h"
+#include "panels/workflow_bar.h"
+#include "project/edits.h"
+#include "theme/theme.h"
+#include "view/part_view.h"
+#include "window/import_dialog.h"
+#include "window/preferences.h"
+#include "window/property_pages.h"
+#include "window/view_bar.h"
+#include "window/workbench.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QListWidget>
+#include <QMenu>
+#include <QMessageBox>
+#include <QShortcut>
+#include <QStatusBar>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+void MainWindow::connectActions() {
+    connectFileActions();
+    connectViewActions();
+    connectPartActions();
+    connectWindowActions();
+    // The actions' own keys work wherever the focus is in the window, in menus or not.
+    addActions(QList<QAction*>(m_actions.all().begin(), m_actions.all().end()));
+}
+
+void MainWindow::connectFileActions() {
+    m_actions.on(u"open"_s, [this] { chooseFileToOpen(); });
+    m_actions.on(u"start-page"_s, [this] { m_bench.closePart(); });
+    m_actions.on(u"export-cast"_s, [this] { chooseFileToExport(); });
+    m_actions.on(u"export-mold"_s, [this] { chooseFolderForMold(); });
+    m_actions.on(u"quit"_s, [this] { close(); });
+    m_actions.on(u"undo"_s, [this] { m_bench.document().undo(); });
+    m_actions.on(u"redo"_s, [this] { m_bench.document().redo(); });
+    m_actions.on(u"find-command"_s, [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
+}
+
+void MainWindow::connectViewActions() {
+    m_actions.on(u"fit"_s, [this] { m_view->fitAll(); });
+    m_actions.on(u"home"_s, [this] { m_view->lookHome(); });
+    m_actions.on(u"front"_s, [this] { m_view->lookFrom(-Eigen::Vector3d::UnitY()); });
+    m_actions.on(u"right"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitX()); });
+    m_actions.on(u"top"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitZ()); });
+    m_actions.on(u"opposite"_s, [this] { m_view->lookFromOpposite(); });
+    m_actions.on(u"along-normal"_s, [this] { m_view->lookFrom(m_bench.project().state->plane.normal); });
+    m_actions.on(u"perspective"_s,
+                 [this] { m_view->setPerspective(m_actions[u"perspective"_s]->isChecked()); });
+    m_actions.on(u"show-undercuts"_s, [this] { setMode(DisplayMode::Undercuts); });
+    m_actions.on(u"show-draft"_s, [this] { setMode(DisplayMode::DraftMap); });
+    m_actions.on(u"show-plain"_s, [this] { setMode(DisplayMode::Plain); });
+    m_actions[u"show-undercuts"_s]->setChecked(true);
+    m_actions.on(u"show-plane"_s, [this] {
+        m_visible.plane = m_actions[u"show-plane"_s]->isChecked();
+        refreshSoon();
+    });
+    m_actions.on(u"show-directions"_s, [this] {
+        m_visible.directions = m_actions[u"show-directions"_s]->isChecked();
+        refreshSoon();
+    });
+    m_actions.on(u"show-edges"_s, [this] {
+        m_view->scene().setEdges(m_actions[u"show-edges"_s]->isChecked());
+        m_view->update();
+    });
+    m_actions.on(u"see-through"_s, [this] {
+        m_view->scene().setSeeThrough(m_actions[u"see-through"_s]->isChecked());
+        m_view->update();
+    });
+    m_actions.on(u"screenshot"_s, [this] { saveScreenshot(); });
+}
+
+void MainWindow::connectPartActions() {
+    m_actions.on(u"lay-flat"_s, [this] {
+        m_view->setPickingFaces(m_actions[u"lay-flat"_s]->isChecked());
+        if (m_view->pickingFaces() && m_bench.castShown())
+            m_bench.restoreShape();
+    });
+    m_actions.on(u"turn-x"_s, [this] { m_bench.turnPart(Eigen::Vector3d::UnitX()); });
+    m_actions.on(u"turn-y"_s, [this] { m_bench.turnPart(Eigen::Vector3d::UnitY()); });
+    m_actions.on(u"turn-z"_s, [this] { m_bench.turnPart(Eigen::Vector3d::UnitZ()); });
+    m_actions.on(u"centre"_s, [this] { m_bench.centrePart(); });
+    m_actions.on(u"best-plane"_s, [this] { m_bench.findBestPlane(); });
+    m_actions.on(u"next-plane"_s, [this] { m_bench.takeNextPlane(); });
+    m_actions.on(u"best-directions"_s, [this] { m_bench.findBestDirections(); });
+    m_actions.on(u"normal-directions"_s, [this] {
+        const PartingPlane plane = m_bench.project().state->plane;
+        m_bench.setState({plane, Directions::normalTo(plane)}, tr("Directions along the normal"));
+    });
+    m_actions.on(u"run"_s, [this] {
+        m_banner->hide();
+        select(u"deform"_s);
+        m_bench.run();
+    });
+    m_actions.on(u"stop"_s, [this] { m_bench.stop(); });
+    m_actions.on(u"restore"_s, [this] { m_bench.restoreShape(); });
+    m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
+    m_actions.on(u"open-mold"_s, [this] {
+        select(u"mold"_s);
+        m_viewBar->easeOpening(m_viewBar->opening() > 0.5 ? 0 : 1);
+    });
+}
+
+void MainWindow::connectWindowActions() {
+    m_actions.on(u"theme-light"_s, [this] { useThemeChoice(ThemeChoice::Light); });
+    m_actions.on(u"theme-dark"_s, [this] { useThemeChoice(ThemeChoice::Dark); });
+    m_actions.on(u"theme-system"_s, [this] { useThemeChoice(ThemeChoice::System); });
+    auto* themes = new QActionGroup(this);
+    for (const QString& id : {u"theme-light"_s, u"theme-dark"_s, u"theme-system"_s})
+        themes->addAction(m_actions[id]);
+    const ThemeChoice choice = preferences::themeChoice();
+    m_actions[choice == ThemeChoice::Light  ? u"theme-light"_s
+              : choice == ThemeChoice::Dark ? u"theme-dark"_s
+                                            : u"theme-system"_s]
+        ->setChecked(true);
+    m_actions.on(u"next-zone"_s, [this] { walkZones(1); });
+    m_actions.on(u"previous-zone"_s, [this] { walkZones(-1); });
+    m_actions.on(u"reset-layout"_s, [this] {
+        for (Dock* dock : m_docks)
+            dock->toggleViewAction()->setProperty("wanted", true);
+        restoreState(m_firstLayout, 1);
+        refreshSoon();
+    });
+    m_actions.on(u"keys"_s, [this] { showKeys(); });
+    m_actions.on(u"about"_s, [this] { showAbout(); });
+    auto* leave = new QShortcut(QKeySequence(Qt::Key_Escape), this);
+    connect(leave, &QShortcut::activated, this, &MainWindow::escape);
+}
+
+void MainWindow::connectBench() {
+    connect(&m_bench, &Workbench::changed, this, &MainWindow::refreshSoon);
+    connect(&m_bench, &Workbench::partOpened, this, [this] {
+        m_banner->hide();
+        select(u"part"_s);
+        refresh();
+        m_view->lookHome();
+        m_view->fitAll(true);
+        m_view->setFocus();
+    });
+    connect(&m_bench, &Workbench::unitAsked, this, &MainWindow::askUnit);
+    connect(&m_bench, &Workbench::problem, this, [this](const QString& headline, const QString& text) {
+        if (m_bench.project().part)
+            m_banner->showMessage(Standing::Failing, headline, text);
+        else
+            QMessageBox(QMessageBox::NoIcon, tr("Moldwright"),
+                        u"<b>%1</b><br>%2"_s.arg(headline.toHtmlEscaped(), text.toHtmlEscaped()),
+                        QMessageBox::Close, this)
+                .exec();
+    });
+    connect(&m_bench, &Workbench::moldBuilt, this, [this] {
+        select(u"mold"_s);
+        refresh();
+        m_viewBar->easeOpening(1);
+    });
+}
+
+void MainWindow::connectPanels() {
+    connect(m_workflow, &WorkflowBar::stepChosen, this, &MainWindow::chooseStep);
+    connect(m_workflow, &WorkflowBar::verdictClicked, this, [this] { m_view->fitAll(); });
+    connect(m_start, &StartPage::fileChosen, this, &MainWindow::openPath);
+    connect(m_start, &StartPage::sampleChosen, &m_bench, &Workbench::openSample);
+    connect(m_start, &StartPage::clearRecent, this, [this] {
+        preferences::clearRecentFiles();
+        refreshSoon();
+    });
+    connect(m_tree, &ProjectTree::chosen, this, &MainWindow::select);
+    connect(m_tree, &ProjectTree::visibilityToggled, this, [this](const QString& id) {
+        bool& shown = id == u"part"_s    ? m_visible.shape
+                      : id == u"plane"_s ? m_visible.plane
+                      : id == u"mold"_s  ? m_visible.mold
+                                         : m_visible.directions;
+        shown = !shown;
+        refreshSoon();
+    });
+    connect(m_projectModel, &ProjectModel::renamed, this,
+            [this](const QString&, const QString& name) { m_bench.rename(name); });
+    connect(m_properties, &PropertyPanel::previewed, this,
+            [this](const QString& id, const QVariant& value) { applyProperty(m_bench, id, value, true); });
+    connect(m_properties, &PropertyPanel::committed, this,
+            [this](const QString& id, const QVariant& value) { applyProperty(m_bench, id, value, false); });
+    connect(m_view, &PartView::planePreviewed, this, [this](const MoldState& state) {
+        m_bench.document().preview(withState(m_bench.document().committed(), state, true));
+    });
+    connect(m_view, &PartView::planeCommitted, this,
+            [this](const MoldState& state) { m_bench.setState(state, tr("Move the plane")); });
+    connect(m_view, &PartView::planeDragCancelled, this, [this] { m_bench.document().endPreview(); });
+    connect(m_view, &PartView::faceClicked, this, [this](int face) {
+        m_bench.layFlatOn(face);
+        escape();
+    });
+    connect(m_view, &PartView::menuRequested, this, [this](const QPoint& place) {
+        QMenu menu;
+        for (const QString& id : {u"fit"_s, u"home"_s, u"along-normal"_s, u"show-plane"_s,
+                                  u"show-directions"_s, u"see-through"_s, u"lay-flat"_s, u"run"_s})
+            menu.addAction(m_actions[id]);
+        menu.exec(place);
+    });
+    connect(m_viewBar, &ViewBar::modeChosen, this, &MainWindow::setMode);
+    connect(m_viewBar, &ViewBar::openingChanged, this, [this](double opening) {
+        m_view->scene().setOpening(opening);
+        m_view->fitAll(true);
+    });
+    connect(m_messages, &MessageList::showMe, m_view, &PartView::frame);
+    connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {
+        if (row >= 0 && !m_bench.background().busy())
+            m_bench.document().goTo(static_cast<std::size_t>(row));
+    });
+}
+
+void MainWindow::openPath(const QString& file) {
+    m_bench.openFile(file);
+}
+
+void MainWindow::chooseFileToOpen() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Open a part"), preferences::folder(),
+                                                      tr("Parts (*.stl *.obj *.ply *.off);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    preferences::setFolderOf(file);
+    openPath(file);
+}
+
+void MainWindow::chooseFileToExport() {
+    const QString name = QString::fromStdString(m_bench.project().name) + u".stl"_s;
+    const QString file =
+        QFileDialog::getSaveFileName(this, tr("Export the shape"), preferences::folder() + u'/' + name,
+                                     tr("STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;OFF (*.off)"));
+    if (file.isEmpty())
+        return;
+    preferences::setFolderOf(file);
+    m_bench.exportShape(file);
+}
+
+void MainWindow::chooseFolderForMold() {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Folder for the halves"), preferences::folder());
+    if (!folder.isEmpty())
+        m_bench.exportMold(folder);
+}
+
+void MainWindow::askUnit(const OpenedMesh& opened) {
+    auto* dialog = new ImportDialog(opened, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, opened] { m_bench.take(opened, dialog->unit(), dialog->scale()); });
+    dialog->open();
+}
+
+void MainWindow::saveScreenshot() {
+    const QString name = QString::fromStdString(m_bench.project().name) + u".png"_s;
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Save a picture"), preferences::folder() + u'/' + name, tr("PNG pictures (*.png)"));
+    if (!file.isEmpty() && !m_view->grabFramebuffer().save(file))
+        m_bench.say(Standing::Failing, tr("The picture could not be written to %1.").arg(file));
+}
+
+void MainWindow::showKeys() {
+    auto* sheet =
+        new KeySheet(m_actions.all(), scene::navigationScheme(preferences::navigation().toStdString()), this);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->open();
+}
+
+void MainWindow::showAbout() {
+    QMessageBox box(this);
+    box.setWindowTitle(tr("About Moldwright"));
+    box.setIconPixmap(themeIcon(u"moldwright"_s).pixmap(48, 48));
+    box.setText(u"<b>Moldwright %1</b>"_s.arg(QApplication::applicationVersion()));
+    box.setInformativeText(
+        tr("Takes any closed mesh to a castable shape and a proved two-piece mold, after Stein et al. 2019. "
+           "Free software under the GNU AGPL 3 or later. Built on Qt, VTK, CGAL, OpenMesh, Eigen, TetGen and "
+           "oneTBB."));
+    box.exec();
+}
+
+void MainWindow::walkZones(int way) {
+    const QList<QWidget*> zones = {m_workflow->step(0), m_tree, m_view, m_properties, m_messages, m_start};
+    QList<QWidget*> seen;
+    for (QWidget* zone : zones)
+        if (zone->isVisible())
+            seen << zone;
+    if (seen.isEmpty())
+        return;
+    qsizetype at = way > 0 ? -1 : seen.size();
+    for (qsizetype i = 0; i < seen.size(); ++i)
+        if (QWidget* focus = QApplication::focusWidget();
+            focus && (seen[i] == focus || seen[i]->isAncestorOf(focus)))
+            at = i;
+    QWidget* next = seen[(at + way + seen.size()) % seen.size()];
+    next->setFocus(Qt::TabFocusReason);
+    if (!next->hasFocus())
+        for (QWidget* child : next->findChildren<QWidget*>())
+            if (child->focusPolicy() != Qt::NoFocus && child->isVisible()) {
+                child->setFocus(Qt::TabFocusReason);
+                break;
+            }
+}
+
+void MainWindow::useThemeChoice(ThemeChoice choice) {
+    preferences::setThemeChoice(choice);
+    useTheme(choice);
+    applyTheme();
+}
+
+void MainWindow::escape() {
+    if (m_view->cancelDrag())
+        return;
+    m_actions[u"lay-flat"_s]->setChecked(false);
+    m_view->setPickingFaces(false);
+}
+
+} // namespace moldwright

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What the window is made of, and where it lies.
+#include "window/main_window.h"
+
+#include "panels/banner.h"
+#include "panels/command_search.h"
+#include "panels/dock_title.h"
+#include "panels/message_list.h"
+#include "panels/progress_plots.h"
+#include "panels/project_tree.h"
+#include "panels/property_panel.h"
+#include "panels/start_page.h"
+#include "panels/workflow_bar.h"
+#include "scene/navigation.h"
+#include "view/part_view.h"
+#include "window/preferences.h"
+#include "window/samples.h"
+#include "window/status_progress.h"
+#include "window/view_bar.h"
+#include "window/workbench.h"
+
+#include <QActionGroup>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int layoutVersion = 1;
+
+} // namespace
+
+void MainWindow::buildMenus() {
+    std::map<QString, QMenu*> menus;
+    std::size_t i = 0;
+    for (const ActionSpec& spec : actionTable()) {
+        QAction* action = m_actions.all()[i++];
+        const QString title = action->property("menu").toString();
+        QMenu*& menu = menus[title];
+        if (!menu) {
+            menu = menuBar()->addMenu(title);
+            menu->setObjectName(QStringLiteral("menu-") + QString::fromLatin1(spec.menu).remove(u'&'));
+        }
+        if (spec.separatorBefore)
+            menu->addSeparator();
+        menu->addAction(action);
+    }
+    auto* window = menuBar()->findChild<QMenu*>(u"menu-Window"_s);
+    auto* help = menuBar()->findChild<QMenu*>(u"menu-Help"_s);
+    window->addSeparator();
+    m_dockMenu = window->addMenu(tr("&Panels"));
+    buildLanguageMenu(window->addMenu(tr("Lan&guage")));
+    buildNavigationMenu(help->addMenu(tr("Mouse &navigation")));
+    m_search = new CommandSearch(this);
+    m_search->setCommands(m_actions.all());
+    auto* corner = new QWidget(menuBar());
+    auto* row = new QHBoxLayout(corner);
+    row->setContentsMargins(0, 3, 6, 3);
+    row->addWidget(m_search);
+    menuBar()->setCornerWidget(corner);
+}
+
+void MainWindow::buildLanguageMenu(QMenu* menu) {
+    auto* group = new QActionGroup(menu);
+    for (const auto& [code, name] :
+         {std::pair{QString(), tr("Like the desktop")}, {u"en"_s, u"English"_s}, {u"de"_s, u"Deutsch"_s}}) {
+        QAction* action = menu->addAction(name);
+        action->setCheckable(true);
+        action->setChecked(code == preferences::language());
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, code = code] { Q_EMIT languageChosen(code); });
+    }
+}
+
+void MainWindow::buildNavigationMenu(QMenu* menu) {
+    auto* group = new QActionGroup(menu);
+    const std::string current = scene::navigationScheme(preferences::navigation().toStdString()).id;
+    for (const scene::NavigationScheme& scheme : scene::navigationSchemes()) {
+        QAction* action = menu->addAction(QString::fromStdString(scheme.name));
+        action->setCheckable(true);
+        action->setChecked(scheme.id == current);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, &scheme] {
+            preferences::setNavigation(QString::fromStdString(scheme.id));
+            m_view->setNavigation(scheme);
+            m_navigationLabel->setText(tr("Navigation: %1").arg(QString::fromStdString(scheme.name)));
+        });
+    }
+}
+
+void MainWindow::buildWorkflow() {
+    m_workflow = new WorkflowBar({{u"part"_s, tr("Part")},
+                                  {u"plane"_s, tr("Plane")},
+                                  {u"deform"_s, tr("Deform")},
+                                  {u"check"_s, tr("Check")},
+                                  {u"mold"_s, tr("Mold")},
+                                  {u"report"_s, tr("Report")}},
+                                 this);
+    addToolBar(Qt::TopToolBarArea, m_workflow);
+    m_workflow->setCurrentStep(0);
+}
+
+void MainWindow::buildCentre() {
+    m_centre = new QStackedWidget(this);
+    m_start = new StartPage(m_actions[u"open"_s], bundledSamples(), m_centre);
+    m_centre->addWidget(m_start);
+    auto* work = new QWidget(m_centre);
+    auto* column = new QVBoxLayout(work);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_banner = new Banner(work);
+    column->addWidget(m_banner);
+    m_viewBar = new ViewBar(m_actions, work);
+    column->addWidget(m_viewBar);
+    m_view = new PartView(work);
+    m_view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
+    m_view->scene().setCubeWords({tr("Front").toStdString(), tr("Back").toStdString(),
+                                  tr("Left").toStdString(), tr("Right").toStdString(),
+                                  tr("Top").toStdString(), tr("Bottom").toStdString()});
+    column->addWidget(m_view, 1);
+    m_centre->addWidget(work);
+    setCentralWidget(m_centre);
+}
+
+void MainWindow::buildDocks() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    setDockOptions(AllowTabbedDocks | AllowNestedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+
+    m_projectModel = new ProjectModel(this);
+    m_tree = new ProjectTree(m_projectModel, this);
+    m_tree->setMinimumWidth(220);
+    m_properties = new PropertyPanel(this);
+    m_plots = new ProgressPlots(this);
+    m_messages = new MessageList(m_bench.messages(), this);
+    m_history = new QListWidget(this);
+    m_history->setFrameShape(QFrame::NoFrame);
+    m_history->setAccessibleName(tr("History"));
+    m_history->setToolTip(tr("Every edit appears here. Click one to go back to it."));
+
+    auto* project = new Dock(u"dock-project"_s, tr("Project"), m_tree, this);
+    auto* properties = new Dock(u"dock-properties"_s, tr("Properties"), m_properties, this);
+    auto* progress = new Dock(u"dock-progress"_s, tr("Progress"), m_plots, this);
+    auto* messages = new Dock(u"dock-messages"_s, tr("Messages"), m_messages, this);
+    auto* history = new Dock(u"dock-history"_s, tr("History"), m_history, this);
+    addDockWidget(Qt::LeftDockWidgetArea, project);
+    addDockWidget(Qt::RightDockWidgetArea, properties);
+    addDockWidget(Qt::BottomDockWidgetArea, progress);
+    splitDockWidget(progress, messages, Qt::Horizontal);
+    tabifyDockWidget(messages, history);
+    messages->raise();
+    m_docks = {project, properties, progress, messages, history};
+    for (Dock* dock : m_docks) {
+        QAction* toggle = dock->toggleViewAction();
+        toggle->setProperty("wanted", true);
+        m_dockMenu->addAction(toggle);
+        connect(toggle, &QAction::triggered, this, [toggle](bool on) { toggle->setProperty("wanted", on); });
+        connect(dock, &Dock::closed, this, [toggle] { toggle->setProperty("wanted", false); });
+    }
+    resizeDocks({project, properties}, {260, 304}, Qt::Horizontal);
+    resizeDocks({progress, messages}, {500, 360}, Qt::Horizontal);
+    resizeDocks({progress}, {190}, Qt::Vertical);
+    m_firstLayout = saveState(layoutVersion);
+}
+
+void MainWindow::buildStatusBar() {
+    statusBar()->setFixedHeight(26);
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addPermanentWidget(new StatusProgress(m_bench.background(), this));
+    const scene::NavigationScheme& scheme = scene::navigationScheme(preferences::navigation().toStdString());
+    m_navigationLabel = new QLabel(tr("Navigation: %1").arg(QString::fromStdString(scheme.name)), this);
+    m_navigationLabel->setForegroundRole(QPalette::PlaceholderText);
+    statusBar()->addPermanentWidget(m_navigationLabel);
+    auto* units = new QLabel(u"mm, °"_s, this);
+    units->setForegroundRole(QPalette::PlaceholderText);
+    units->setContentsMargins(8, 0, 8, 0);
+    statusBar()->addPermanentWidget(units);
+}
+
+void MainWindow::restoreLayout() {
+    resize(1440, 900);
+    restoreGeometry(preferences::layout(u"geometry"_s));
+    restoreState(preferences::layout(u"docks"_s), layoutVersion);
+}
+
+} // namespace moldwright

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/presentation.h"
+
+#include "mesh/measures.h"
+#include "project/edits.h"
+#include "theme/theme.h"
+#include "window/workbench.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(Presentation)
+};
+
+QString tr(const char* text) {
+    return Words::tr(text);
+}
+
+QString lengthText(double mm) {
+    return u"%1 mm"_s.arg(mm, 0, 'f', 1);
+}
+
+QString sizeText(const Eigen::Vector3d& size) {
+    return u"%1 × %2 × %3"_s.arg(size.x(), 0, 'f', 0).arg(size.y(), 0, 'f', 0).arg(size.z(), 0, 'f', 0);
+}
+
+StepState deformState(const Workbench& bench) {
+    if (bench.running()) {
+        const auto& frame = bench.frame();
+        return {Standing::Running, frame ? tr("Running, step %1").arg(frame->frame.step) : tr("Running")};
+    }
+    if (!bench.project().cast)
+        return {Standing::Todo, tr("Not started")};
+    return bench.castShown() ? StepState{Standing::Done, tr("Done")}
+                             : StepState{Standing::Stale, tr("Out of date")};
+}
+
+StepState checkState(const Workbench& bench) {
+    if (!bench.project().cast)
+        return {Standing::Todo, tr("Waits for Deform")};
+    if (!bench.analysisIsCurrent() || !bench.analysis()->certificate)
+        return {Standing::Running, tr("Checking")};
+    if (bench.castIsProved())
+        return {Standing::Done,
+                tr("Proved at %1").arg(draftText(bench.analysis()->certificate->worstDraftDegrees))};
+    return {Standing::Failing, tr("Not proved")};
+}
+
+StepState moldState(const Workbench& bench) {
+    if (!bench.mold())
+        return {Standing::Todo, tr("Not started")};
+    if (!bench.moldIsCurrent())
+        return {Standing::Stale, tr("Out of date")};
+    return bench.mold()->verified() ? StepState{Standing::Done, tr("Proved")}
+                                    : StepState{Standing::Failing, tr("Not proved")};
+}
+
+QString planeTilt(const MoldState& state) {
+    const double angle = degrees(std::acos(std::clamp(std::abs(state.plane.normal.z()), 0.0, 1.0)));
+    return tr("%1 to level").arg(angleText(angle));
+}
+
+} // namespace
+
+QString angleText(double degrees, int decimals) {
+    return QString::number(degrees, 'f', decimals).replace(u'-', QChar(0x2212)) + u'°';
+}
+
+QString draftText(double degrees) {
+    return angleText(std::floor(degrees * 10 + 1e-9) / 10);
+}
+
+QString percentText(double fraction) {
+    return u"%1 %"_s.arg(100 * fraction, 0, 'f', 1);
+}
+
+double tiltDegrees(const MoldState& state, int side) {
+    const double cosine = std::abs(state.directions.of(side).dot(state.plane.normal));
+    return degrees(std::acos(std::min(1.0, cosine)));
+}
+
+std::array<StepState, stepCount> stepStates(const Workbench& bench) {
+    std::array<StepState, stepCount> states;
+    const Project& project = bench.project();
+    if (!project.part)
+        return states;
+    const double longest = boundingBox(*project.part).sizes().maxCoeff();
+    states[int(Step::Part)] = {Standing::Done, tr("%1, closed").arg(lengthText(longest))};
+    states[int(Step::Plane)] =
+        !project.planeChosenByHand ? StepState{Standing::Todo, tr("Not chosen yet")}
+        : bench.candidate() >= 0 && project.state == bench.candidates()[bench.candidate()].state
+            ? StepState{Standing::Done,
+                        tr("Number %1 of %2").arg(bench.candidate() + 1).arg(bench.candidates().size())}
+            : StepState{Standing::Done, tr("Chosen")};
+    states[int(Step::Deform)] = deformState(bench);
+    states[int(Step::Check)] = checkState(bench);
+    states[int(Step::Mold)] = moldState(bench);
+    states[int(Step::Report)] = {Standing::Todo, tr("Not started")};
+    return states;
+}
+
+std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& visible) {
+    const Project& project = bench.project();
+    std::vector<ProjectRow> rows;
+    if (!project.part)
+        return rows;
+    const auto& t = theme().scene;
+    const double longest = boundingBox(*project.part).sizes().maxCoeff();
+    rows.push_back({.id = u"part"_s,
+                    .iconName = u"part"_s,
+                    .name = QString::fromStdString(project.name),
+                    .value = lengthText(longest),
+                    .visible = visible.shape,
+                    .strong = true,
+                    .renamable = true});
+    rows.push_back({.id = u"surface"_s,
+                    .parent = 0,
+                    .iconName = u"edges"_s,
+                    .name = tr("Surface"),
+                    .value = tr("%1 faces").arg(project.part->faceCount())});
+    if (project.state) {
+        rows.push_back({.id = u"plane"_s,
+                        .iconName = u"plane"_s,
+                        .name = tr("Parting plane"),
+                        .value = planeTilt(*project.state),
+                        .visible = visible.plane,
+                        .strong = true});
+        const int plane = static_cast<int>(rows.size()) - 1;
+        for (const int side : {1, 2})
+            rows.push_back({.id = u"direction-%1"_s.arg(side),
+                            .parent = plane,
+                            .iconName = u"direction"_s,
+                            .tint = toColor(side == 1 ? t.side1 : t.side2),
+                            .name = tr("Direction %1").arg(side),
+                            .value = angleText(tiltDegrees(*project.state, side)),
+                            .visible = visible.directions});
+    }
+    const StepState deform = deformState(bench);
+    rows.push_back({.id = u"deform"_s,
+                    .iconName = u"deform"_s,
+                    .name = tr("Deform"),
+                    .value = deform.words,
+                    .strong = true,
+                    .stale = deform.standing == Standing::Stale});
+    if (project.cast) {
+        const int parent = static_cast<int>(rows.size()) - 1;
+        rows.push_back({
+            .id = u"cast"_s,
+            .parent = parent,
+            .iconName = u"result"_s,
+            .name = tr("Cast"),
+            .value = checkState(bench).words,
+        });
+    }
+    const StepState mold = moldState(bench);
+    ProjectRow moldRow{.id = u"mold"_s,
+                       .iconName = u"mold"_s,
+                       .name = tr("Mold"),
+                       .value = mold.words,
+                       .strong = true,
+                       .stale = mold.standing == Standing::Stale};
+    if (bench.moldIsCurrent())
+        moldRow.visible = visible.mold;
+    rows.push_back(moldRow);
+    if (bench.mold()) {
+        const int parent = static_cast<int>(rows.size()) - 1;
+        const bool stale = !bench.moldIsCurrent();
+        rows.push_back({.id = u"half-1"_s,
+                        .parent = parent,
+                        .iconName = u"block"_s,
+                        .tint = toColor(t.side1),
+                        .name = tr("Half 1"),
+                        .value = sizeText(bench.mold()->half1.size),
+                        .stale = stale});
+        rows.push_back({.id = u"half-2"_s,
+                        .parent = parent,
+                        .iconName = u"block"_s,
+                        .tint = toColor(t.side2),
+                        .name = tr("Half 2"),
+                        .value = sizeText(bench.mold()->half2.size),
+                        .stale = stale});
+    }
+    return rows;
+}
+
+Verdict verdictOf(const Workbench& bench) {
+    const Project& project = bench.project();
+    if (!project.part)
+        return {Standing::Info, tr("No part open"), tr("Open a mesh or a sample")};
+    const QString required = angleText(project.design.draftDegrees);
+    if (bench.castIsProved()) {
+        const QString proved = draftText(bench.analysis()->certificate->worstDraftDegrees);
+        if (bench.moldIsCurrent() && bench.mold()->verified())
+            return {Standing::Done, tr("Castable and opens"),
+                    tr("Cast and halves proved at %1 draft").arg(proved)};
+        return {Standing::Done, tr("Castable"), tr("Proved at %1 draft, %2 required").arg(proved, required)};
+    }
+    const DraftAnalysis* analysis = bench.shownAnalysis();
+    if (!analysis)
+        return {Standing::Info, tr("Not castable yet"), tr("Measuring the draft")};
+    if (analysis->violatingArea > 0)
+        return {Standing::Failing, tr("Not castable yet"),
+                tr("%1 of the surface below %2").arg(percentText(analysis->violatingAreaFraction), required)};
+    return {Standing::Warning, tr("Not castable yet"), tr("No undercut seen; Run proves it")};
+}
+
+scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode) {
+    scene::PanelContent legend;
+    const DraftAnalysis* analysis = bench.shownAnalysis();
+    const SharedMesh mesh = bench.shownMesh();
+    if (!analysis || !mesh || mode == DisplayMode::Plain)
+        return legend;
+    const double required = bench.project().design.draftDegrees;
+    const auto line = [&](scene::Rgb colour, const QString& words, const QString& value) {
+        legend.lines.push_back({colour, {{words.toStdString()}}, value.toStdString()});
+    };
+    const auto area = [](double mm2) { return u"%1 cm²"_s.arg(mm2 / 100, 0, 'f', 1); };
+    if (mode == DisplayMode::Undercuts) {
+        const double all = surfaceArea(*mesh);
+        legend.title = tr("Undercuts").toStdString();
+        line(theme().scene.undercut, tr("Draft below %1").arg(angleText(required)),
+             area(analysis->violatingArea));
+        line(theme().scene.part, tr("Draft %1 or more").arg(angleText(required)),
+             area(all - analysis->violatingArea));
+        return legend;
+    }
+    std::array<double, 7> areas{};
+    for (int f = 0; f < mesh->faceCount(); ++f)
+        areas[scene::draftClass(analysis->faceDraft[f], required)] += doubleAreaVector(*mesh, f).norm() / 2;
+    legend.title = tr("Draft").toStdString();
+    const std::array<QString, 7> words = {
+        tr("below %1").arg(angleText(-15, 0)),
+        tr("%1 to %2").arg(angleText(-15, 0), angleText(-5, 0)),
+        tr("%1 to %2").arg(angleText(-5, 0), angleText(0, 0)),
+        tr("%1 to %2").arg(angleText(0, 0), angleText(required)),
+        tr("%1 to %2").arg(angleText(required), angleText(std::max(3.0, required), 0)),
+        tr("%1 to %2").arg(angleText(std::max(3.0, required), 0), angleText(std::max(10.0, required), 0)),
+        tr("above %1").arg(angleText(std::max(10.0, required), 0))};
+    for (int c = 6; c >= 0; --c)
+        line(scene::draftClassColours()[c], words[c], area(areas[c]));
+    return legend;
+}
+
+scene::PanelContent stateChipFor(const Workbench& bench) {
+    QString words;
+    if (bench.running())
+        words = bench.frame() ? tr("Step %1, live").arg(bench.frame()->frame.step) : tr("Starting");
+    else if (bench.castShown())
+        words = tr("Cast");
+    else
+        words = tr("Part as opened");
+    return {{}, {{std::nullopt, {{words.toStdString()}}, {}}}};
+}
+
+std::vector<scene::Rgb> faceColours(const Workbench& bench, DisplayMode mode) {
+    const SharedMesh mesh = bench.shownMesh();
+    const scene::SceneColours& colours = theme().scene;
+    std::vector<scene::Rgb> faces(mesh ? mesh->F.rows() : 0, colours.part);
+    const DraftAnalysis* analysis = bench.shownAnalysis();
+    if (!analysis || mode == DisplayMode::Plain)
+        return faces;
+    const double required = bench.project().design.draftDegrees;
+    for (std::size_t f = 0; f < faces.size() && f < analysis->violating.size(); ++f)
+        if (mode == DisplayMode::DraftMap)
+            faces[f] = scene::draftClassColours()[scene::draftClass(analysis->faceDraft[f], required)];
+        else if (analysis->violating[f])
+            faces[f] = colours.undercut;
+    return faces;
+}
+
+} // namespace moldwright

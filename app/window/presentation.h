@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/mold_state.h"
+#include "panels/project_tree.h"
+#include "scene/overlay.h"
+#include "theme/icons.h"
+
+#include <QString>
+
+#include <array>
+#include <vector>
+
+namespace moldwright {
+
+class Workbench;
+
+/// What the faces are painted by.
+enum class DisplayMode { Undercuts, DraftMap, Plain };
+
+/// What the user hid.
+struct Visibility {
+    bool shape = true;
+    bool plane = true;
+    bool directions = true;
+    bool mold = true;
+};
+
+/// The steps of the job.
+enum class Step { Part, Plane, Deform, Check, Mold, Report };
+inline constexpr int stepCount = 6;
+
+struct StepState {
+    Standing standing = Standing::Todo;
+    QString words;
+};
+
+struct Verdict {
+    Standing standing = Standing::Info;
+    QString sentence;
+    QString reason;
+};
+
+/// How each step stands; the project's tree; the verdict: all read off the workbench, nothing computed.
+[[nodiscard]] std::array<StepState, stepCount> stepStates(const Workbench& bench);
+[[nodiscard]] std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& visible);
+[[nodiscard]] Verdict verdictOf(const Workbench& bench);
+
+/// The view's flat parts.
+[[nodiscard]] scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode);
+[[nodiscard]] scene::PanelContent stateChipFor(const Workbench& bench);
+
+/// One colour per face of the surface in view.
+[[nodiscard]] std::vector<scene::Rgb> faceColours(const Workbench& bench, DisplayMode mode);
+
+/// "12.3°" with a true minus; a draft is rounded down, so that nothing is promised that does not hold.
+[[nodiscard]] QString angleText(double degrees, int decimals = 1);
+[[nodiscard]] QString draftText(double degrees);
+[[nodiscard]] QString percentText(double fraction);
+/// Angle of direction 1 or 2 to the plane's normal, degrees.
+[[nodiscard]] double tiltDegrees(const MoldState& state, int side);
+
+} // namespace moldwright

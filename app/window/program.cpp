@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/program.h"
+
+#include "theme/moldwright_style.h"
+#include "theme/theme.h"
+#include "window/main_window.h"
+#include "window/preferences.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QFontDatabase>
+#include <QLibraryInfo>
+#include <QLocale>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+void prepareApplication() {
+    QApplication::setOrganizationName(u"Moldwright"_s);
+    QApplication::setApplicationName(u"Moldwright"_s);
+    QApplication::setApplicationVersion(QStringLiteral(MOLDWRIGHT_VERSION));
+    QApplication::setDesktopFileName(u"moldwright"_s);
+    useTheme(preferences::themeChoice());
+    QApplication::setStyle(new MoldwrightStyle);
+    QApplication::setPalette(theme().palette);
+    QFont font(QFontDatabase::families().contains(u"Noto Sans"_s) ? u"Noto Sans"_s
+                                                                  : QApplication::font().family());
+    font.setPixelSize(12);
+    QApplication::setFont(font);
+}
+
+Program::Program() {
+    setLanguage(preferences::language());
+}
+
+Program::~Program() = default;
+
+void Program::setLanguage(const QString& language) {
+    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    QCoreApplication::removeTranslator(&m_translator);
+    QCoreApplication::removeTranslator(&m_qtTranslator);
+    if (m_translator.load(locale, u"moldwright"_s, u"_"_s, u":/i18n"_s))
+        QCoreApplication::installTranslator(&m_translator);
+    if (m_qtTranslator.load(locale, u"qtbase"_s, u"_"_s, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&m_qtTranslator);
+    preferences::setLanguage(language);
+    showWindow();
+}
+
+void Program::showWindow() {
+    const QByteArray geometry = m_window ? m_window->saveGeometry() : QByteArray();
+    auto window = std::make_unique<MainWindow>(m_bench);
+    if (!geometry.isEmpty())
+        window->restoreGeometry(geometry);
+    // Queued: the window that asks is the one that goes.
+    connect(window.get(), &MainWindow::languageChosen, this, &Program::setLanguage, Qt::QueuedConnection);
+    window->show();
+    m_window = std::move(window);
+}
+
+int runWindow(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+    QApplication application(argc, argv);
+    prepareApplication();
+    Program program;
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.size() > 1)
+        program.window().openPath(arguments[1]);
+    return QApplication::exec();
+}
+
+} // namespace moldwright

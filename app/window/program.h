@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "window/workbench.h"
+
+#include <QTranslator>
+
+#include <memory>
+
+namespace moldwright {
+
+class MainWindow;
+
+/// Style, settings and language: what must be so before the first window. Also for tests.
+void prepareApplication();
+
+/// The workbench and its window. When the language changes, the window is built anew on the same workbench.
+class Program : public QObject {
+    Q_OBJECT
+public:
+    Program();
+    ~Program() override;
+
+    [[nodiscard]] MainWindow& window() { return *m_window; }
+    [[nodiscard]] Workbench& bench() { return m_bench; }
+    void setLanguage(const QString& language);
+
+private:
+    void showWindow();
+
+    QTranslator m_translator;
+    QTranslator m_qtTranslator;
+    Workbench m_bench;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+/// Runs the window until it closes; `arguments` may name a file to open.
+int runWindow(int argc, char** argv);
+
+} // namespace moldwright

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/sentence.h"
+
+#include <QCoreApplication>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+const QStringList& sentenceContexts() {
+    static const QStringList contexts = {u"exchange"_s, u"mesh"_s,        u"castability"_s,
+                                         u"guides"_s,   u"deformation"_s, u"design"_s,
+                                         u"mold"_s,     u"report"_s,      u"project"_s};
+    return contexts;
+}
+
+namespace {
+
+std::string translated(const std::string& english) {
+    for (const QString& context : sentenceContexts()) {
+        const QString text = QCoreApplication::translate(context.toLatin1().constData(), english.c_str());
+        if (text != QString::fromStdString(english))
+            return text.toStdString();
+    }
+    return english;
+}
+
+} // namespace
+
+QString sentence(const Message& message) {
+    return QString::fromStdString(message.fill(translated(message.text)));
+}
+
+QString sentence(const std::string& english) {
+    return QString::fromStdString(translated(english));
+}
+
+} // namespace moldwright

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace moldwright {
+
+/// The contexts that core's MW_TEXT sentences are marked with.
+[[nodiscard]] const QStringList& sentenceContexts();
+
+/// A core sentence in the user's language.
+[[nodiscard]] QString sentence(const Message& message);
+[[nodiscard]] QString sentence(const std::string& english);
+
+} // namespace moldwright

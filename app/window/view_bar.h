@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "window/presentation.h"
+
+#include <QToolBar>
+
+class QComboBox;
+class QSlider;
+
+namespace moldwright {
+
+class Actions;
+
+/// The tool bar above the view: tools and display left, camera right, and the slider that opens the mold.
+class ViewBar : public QToolBar {
+    Q_OBJECT
+public:
+    ViewBar(const Actions& actions, QWidget* parent = nullptr);
+
+    void setMode(DisplayMode mode);
+    void setMoldShown(bool shown);
+    [[nodiscard]] double opening() const;
+    /// Moves the slider there, as fast as a hand would.
+    void easeOpening(double opening);
+
+Q_SIGNALS:
+    void modeChosen(moldwright::DisplayMode mode);
+    void openingChanged(double opening);
+
+private:
+    QComboBox* m_mode;
+    QSlider* m_opening;
+    QList<QAction*> m_moldParts;
+};
+
+} // namespace moldwright

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/workbench.h"
+
+#include "mesh/measures.h"
+#include "project/edits.h"
+#include "project/placing.h"
+#include "window/sentence.h"
+
+namespace moldwright {
+
+namespace {
+
+constexpr int frameMilliseconds = 33;
+
+Eigen::AlignedBox3d boxAround(const std::vector<Eigen::Vector3d>& places) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& place : places)
+        box.extend(place);
+    return box;
+}
+
+} // namespace
+
+Workbench::Workbench(QObject* parent) : QObject(parent) {
+    connect(&m_document, &Document::changed, this, [this] {
+        askAnalysis();
+        Q_EMIT changed();
+    });
+    connect(&m_document, &Document::historyChanged, this, &Workbench::changed);
+    connect(&m_analysis, &LiveAnalysis::answered, this, [this](const auto& answer) {
+        m_answer = answer;
+        Q_EMIT changed();
+    });
+    connect(&m_background, &Background::started, this, &Workbench::changed);
+    connect(&m_background, &Background::finished, this, &Workbench::changed);
+    connect(&m_background, &Background::failed, this, [this](const QString& what) {
+        Q_EMIT problem(tr("Something inside Moldwright broke; your work is as it was."), what);
+        say(Standing::Failing, what);
+    });
+    m_frameTimer.setInterval(frameMilliseconds);
+    connect(&m_frameTimer, &QTimer::timeout, this, &Workbench::pullFrames);
+}
+
+SharedMesh Workbench::shownMesh() const {
+    if (m_frame && m_frame->frame.shape)
+        return m_frame->frame.shape;
+    return project().cast ? project().cast->mesh : project().part;
+}
+
+std::optional<MoldState> Workbench::shownState() const {
+    return m_frame ? std::optional(m_frame->frame.state) : project().state;
+}
+
+void Workbench::askAnalysis() {
+    const SharedMesh mesh = project().cast ? project().cast->mesh : project().part;
+    if (!mesh)
+        return;
+    m_analysis.ask({mesh, project().state, project().design.draftDegrees,
+                    project().cast ? project().cast->labels : SideLabels()});
+}
+
+bool Workbench::analysisIsCurrent() const {
+    return m_answer && m_answer->request.mesh == shownMesh() && m_answer->request.state == project().state &&
+           m_answer->request.draftDegrees == project().design.draftDegrees;
+}
+
+const DraftAnalysis* Workbench::shownAnalysis() const {
+    if (m_frame)
+        return &m_frame->analysis;
+    // While the plane is dragged the last answer stays in view until the next one comes: same mesh, so its
+    // faces still fit.
+    const bool fits = m_answer && m_answer->request.mesh == shownMesh() && m_answer->request.state;
+    return fits ? &m_answer->analysis : nullptr;
+}
+
+bool Workbench::castIsProved() const {
+    return castShown() && analysisIsCurrent() && m_answer->certificate && m_answer->certificate->holds();
+}
+
+bool Workbench::moldIsCurrent() const {
+    return m_mold && project().cast && m_moldCast == project().cast && m_moldSettings == project().mold;
+}
+
+void Workbench::say(Standing standing, const QString& text, const Eigen::AlignedBox3d& place) {
+    m_messages.add({standing, QTime::currentTime(), text, place});
+}
+
+void Workbench::complain(const Error& error, const QString& what) {
+    if (error.code == ErrorCode::Cancelled) {
+        say(Standing::Info, tr("%1 was stopped.").arg(what));
+        return;
+    }
+    const QString text = sentence(error.message);
+    say(Standing::Failing, text, boxAround(error.places));
+    const qsizetype stop = text.indexOf(QStringLiteral(". "));
+    Q_EMIT problem(stop < 0 ? text : text.left(stop + 1), stop < 0 ? QString() : text.mid(stop + 2));
+}
+
+void Workbench::setPlacement(const Placement& placement, const QString& words, const QString& mergeKey) {
+    m_document.edit(words, withPlacement(m_document.committed(), placement), mergeKey);
+}
+
+void Workbench::turnPart(const Eigen::Vector3d& axis) {
+    setPlacement(moved(project().placement, quarterTurn(*project().part, axis)), tr("Turn the part"));
+}
+
+void Workbench::layFlatOn(int face) {
+    const Eigen::Vector3d normal = doubleAreaVector(*project().part, face);
+    if (normal.norm() > 0)
+        setPlacement(moved(project().placement, layFlat(*project().part, normal.normalized())),
+                     tr("Lay the part flat"));
+}
+
+void Workbench::centrePart() {
+    const Eigen::AlignedBox3d box = boundingBox(*project().part);
+    Eigen::Vector3d way = -box.center();
+    way.z() = -box.min().z();
+    setPlacement(moved(project().placement, Eigen::Isometry3d(Eigen::Translation3d(way))),
+                 tr("Move the part to the middle"));
+}
+
+void Workbench::setState(const MoldState& state, const QString& words, const QString& mergeKey) {
+    m_document.edit(words, withState(m_document.committed(), state, true), mergeKey);
+}
+
+void Workbench::restoreShape() {
+    Project project = m_document.committed();
+    project.cast.reset();
+    m_document.edit(tr("Restore the original shape"), project);
+}
+
+void Workbench::rename(const QString& name) {
+    Project project = m_document.committed();
+    project.name = name.toStdString();
+    m_document.edit(tr("Rename"), project);
+}
+
+} // namespace moldwright

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/plane_search.h"
+#include "exchange/mesh_file.h"
+#include "mesh/check.h"
+#include "mold/mold.h"
+#include "panels/message_list.h"
+#include "panels/progress_plots.h"
+#include "window/background.h"
+#include "window/document.h"
+#include "window/frame_stream.h"
+#include "window/live_analysis.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace moldwright {
+
+/// A mesh that was read and found sound, waiting for its unit.
+struct OpenedMesh {
+    QString name;
+    QString file; ///< empty for a sample
+    PreparedMesh prepared;
+};
+
+/// Everything the window works on: the document, what is derived from it, and the jobs that change it. It
+/// knows no widget; windows come and go (with the language) while the workbench stays.
+class Workbench : public QObject {
+    Q_OBJECT
+public:
+    explicit Workbench(QObject* parent = nullptr);
+
+    [[nodiscard]] Document& document() { return m_document; }
+    [[nodiscard]] const Document& document() const { return m_document; }
+    [[nodiscard]] const Project& project() const { return m_document.project(); }
+    [[nodiscard]] Background& background() { return m_background; }
+    [[nodiscard]] const Background& background() const { return m_background; }
+    [[nodiscard]] MessageModel* messages() { return &m_messages; }
+
+    /// The surface in view: a run's newest frame, the cast when it is current, else the part.
+    [[nodiscard]] SharedMesh shownMesh() const;
+    [[nodiscard]] std::optional<MoldState> shownState() const;
+    [[nodiscard]] bool castShown() const { return !m_frame && project().cast; }
+
+    /// The newest analysis; of shownMesh() when analysisIsCurrent().
+    [[nodiscard]] const AnalysisAnswer* analysis() const { return m_answer.get(); }
+    [[nodiscard]] bool analysisIsCurrent() const;
+    [[nodiscard]] const DraftAnalysis* shownAnalysis() const;
+
+    /// Whether the cast in view is proved on its coordinates.
+    [[nodiscard]] bool castIsProved() const;
+
+    [[nodiscard]] bool running() const { return m_stream != nullptr; }
+    [[nodiscard]] const std::optional<ShownFrame>& frame() const { return m_frame; }
+    [[nodiscard]] const std::vector<ProgressPoint>& progress() const { return m_progress; }
+    [[nodiscard]] const std::vector<PlaneCandidate>& candidates() const { return m_candidates; }
+    [[nodiscard]] int candidate() const { return m_candidate; }
+
+    [[nodiscard]] const std::shared_ptr<const Mold>& mold() const { return m_mold; }
+    [[nodiscard]] bool moldIsCurrent() const;
+
+    // Files
+    void openFile(const QString& file);
+    void openSample(const QString& file, const QString& name);
+    void take(const OpenedMesh& opened, Unit unit, double scale);
+    void closePart();
+    void exportShape(const QString& file);
+    void exportMold(const QString& folder);
+
+    // The part
+    void setPlacement(const Placement& placement, const QString& words, const QString& mergeKey = {});
+    void turnPart(const Eigen::Vector3d& axis);
+    void layFlatOn(int face);
+    void centrePart();
+
+    // Plane and directions
+    void findBestPlane();
+    void takeNextPlane();
+    void findBestDirections();
+    void setState(const MoldState& state, const QString& words, const QString& mergeKey = {});
+
+    // The cast and its mold
+    void run();
+    void stop() { m_background.cancel(); }
+    void restoreShape();
+    void rename(const QString& name);
+    void buildMoldNow();
+
+    /// A message in the list; errors also go to the banner by problem().
+    void say(Standing standing, const QString& text, const Eigen::AlignedBox3d& place = {});
+
+Q_SIGNALS:
+    /// Anything that is shown may be another.
+    void changed();
+    /// Another part is in view: bring it into sight.
+    void partOpened();
+    /// A mesh was read; its unit must be asked for.
+    void unitAsked(const moldwright::OpenedMesh& opened);
+    void problem(const QString& headline, const QString& text);
+    void moldBuilt();
+
+private:
+    void readFile(const QString& file, const QString& name, bool sample);
+    void takeResult(const Result<DesignResult>& result, const Project& from);
+    void pullFrames();
+    void askAnalysis();
+    void complain(const Error& error, const QString& what);
+
+    Document m_document;
+    Background m_background;
+    LiveAnalysis m_analysis;
+    MessageModel m_messages;
+    std::shared_ptr<const AnalysisAnswer> m_answer;
+    std::shared_ptr<FrameStream> m_stream;
+    QTimer m_frameTimer;
+    std::optional<ShownFrame> m_frame;
+    std::vector<ProgressPoint> m_progress;
+    std::vector<PlaneCandidate> m_candidates;
+    SharedMesh m_candidatesPart;
+    int m_candidate = -1;
+    std::shared_ptr<const Mold> m_mold;
+    std::shared_ptr<const CastResult> m_moldCast;
+    MoldSettings m_moldSettings;
+};
+
+} // namespace moldwright

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Plane, directions, the run that bends the part, and the mold.
+#include "window/workbench.h"
+
+#include "castability/directions.h"
+#include "project/edits.h"
+#include "window/sentence.h"
+
+namespace moldwright {
+
+namespace {
+
+PlaneSearch searchFor(const DesignSettings& settings) {
+    PlaneSearch search;
+    search.draftDegrees = settings.draftDegrees;
+    search.maxTiltDegrees = settings.maxTiltDegrees;
+    search.normalDirections = settings.directionsChoice == DirectionsChoice::Normal;
+    search.seed = settings.seed;
+    return search;
+}
+
+DesignRequest requestFor(const Project& project) {
+    DesignRequest request;
+    request.part = project.part;
+    if (project.planeChosenByHand && project.state) {
+        request.plane = project.state->plane;
+        request.directions = project.state->directions;
+    }
+    request.directionsChoice = project.design.directionsChoice;
+    if (request.directionsChoice == DirectionsChoice::Given && !request.plane)
+        request.directionsChoice = DirectionsChoice::Automatic;
+    request.draftDegrees = project.design.draftDegrees;
+    request.maxTiltDegrees = project.design.maxTiltDegrees;
+    request.method = project.design.method;
+    request.pins = project.pins;
+    request.faceWeights = project.faceWeights;
+    request.seed = project.design.seed;
+    return request;
+}
+
+} // namespace
+
+void Workbench::findBestPlane() {
+    const Project from = m_document.committed();
+    m_background.start(tr("Searching planes"), [=, this](const Task& task) -> Background::Finish {
+        const std::vector<PlaneCandidate> found = findPlanes(*from.part, searchFor(from.design), task);
+        const bool stopped = task.stopped();
+        return [=, this] {
+            if (stopped || found.empty()) {
+                say(Standing::Info, tr("The search for planes was stopped."));
+                return;
+            }
+            m_candidates = found;
+            m_candidatesPart = from.part;
+            m_candidate = -1;
+            takeNextPlane();
+        };
+    });
+}
+
+void Workbench::takeNextPlane() {
+    if (m_candidates.empty() || m_candidatesPart != m_document.committed().part) {
+        findBestPlane();
+        return;
+    }
+    m_candidate = (m_candidate + 1) % static_cast<int>(m_candidates.size());
+    const PlaneCandidate& plane = m_candidates[m_candidate];
+    setState(plane.state,
+             m_candidate == 0 ? tr("Best plane") : tr("Plane %1 of the search").arg(m_candidate + 1));
+    say(Standing::Done, tr("Plane %1 of %2 taken: %3 % of the surface below %4°.")
+                            .arg(m_candidate + 1)
+                            .arg(m_candidates.size())
+                            .arg(100 * plane.violatingAreaFraction, 0, 'f', 1)
+                            .arg(project().design.draftDegrees, 0, 'f', 1));
+}
+
+void Workbench::findBestDirections() {
+    const Project from = m_document.committed();
+    m_background.start(tr("Searching directions"), [=, this](const Task&) -> Background::Finish {
+        const Directions directions = bestDirections(*from.part, from.state->plane, from.design.draftDegrees,
+                                                     from.design.maxTiltDegrees);
+        return [=, this] { setState({from.state->plane, directions}, tr("Best directions")); };
+    });
+}
+
+void Workbench::run() {
+    const Project from = m_document.committed();
+    m_stream = std::make_shared<FrameStream>();
+    m_progress.clear();
+    m_frame.reset();
+    m_frameTimer.start();
+    m_background.start(tr("Deforming"), [=, this, stream = m_stream](const Task& task) -> Background::Finish {
+        const DesignRequest request = requestFor(from);
+        const Result<DesignResult> result = design(
+            request, task, [&](const DesignFrame& frame) { stream->put(frame, request.draftDegrees); });
+        return [=, this] { takeResult(result, from); };
+    });
+}
+
+void Workbench::pullFrames() {
+    std::vector<ProgressPoint> points;
+    std::optional<ShownFrame> newest = m_stream ? m_stream->take(points) : std::nullopt;
+    m_progress.insert(m_progress.end(), points.begin(), points.end());
+    if (!newest)
+        return;
+    m_frame = std::move(newest);
+    Q_EMIT changed();
+}
+
+void Workbench::takeResult(const Result<DesignResult>& result, const Project& from) {
+    pullFrames();
+    m_frameTimer.stop();
+    m_stream.reset();
+    m_frame.reset();
+    if (!result) {
+        complain(result.error(), tr("Deforming"));
+        Q_EMIT changed();
+        return;
+    }
+    for (const Message& warning : result->warnings)
+        say(Standing::Warning, sentence(warning));
+    for (const Obstruction& obstruction : result->obstructions) {
+        const Eigen::Vector3d half = Eigen::Vector3d::Constant(std::max(obstruction.size, 1.0) / 2);
+        say(Standing::Warning, sentence(obstruction.message),
+            {obstruction.place - half, obstruction.place + half});
+    }
+    // Plane and draft may have been changed meanwhile: the result belongs to what the run began with.
+    m_document.edit(tr("Deform"), withCast(from, *result, from.design.draftDegrees));
+    if (result->castable)
+        say(Standing::Done, tr("Castable: proved at %1°, mean distance to the part %2 % of its diagonal.")
+                                .arg(result->certificate.worstDraftDegrees, 0, 'f', 1)
+                                .arg(100 * result->change.meanDistance, 0, 'f', 2));
+    else
+        say(Standing::Failing,
+            tr("Not castable yet: %1").arg(QString::fromStdString(result->certificate.reason)));
+}
+
+void Workbench::buildMoldNow() {
+    const Project from = m_document.committed();
+    m_background.start(tr("Building the mold"), [=, this](const Task& task) -> Background::Finish {
+        const CastResult& cast = *from.cast;
+        auto built = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, from.mold, task);
+        return [=, this, built = std::make_shared<Result<Mold>>(std::move(built))] {
+            if (!*built) {
+                complain(built->error(), tr("Building the mold"));
+                return;
+            }
+            m_mold = std::make_shared<const Mold>(std::move(**built));
+            m_moldCast = from.cast;
+            m_moldSettings = from.mold;
+            if (m_mold->verified())
+                say(Standing::Done, tr("Mold built: both halves are proved to come off."));
+            for (const std::string& what : m_mold->problems)
+                say(Standing::Failing, sentence(what));
+            Q_EMIT changed();
+            Q_EMIT moldBuilt();
+        };
+    });
+}
+
+} // namespace moldwright

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Opening, closing and exporting.
+#include "window/workbench.h"
+
+#include "mesh/measures.h"
+#include "mold/mold_files.h"
+#include "project/edits.h"
+#include "window/preferences.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace moldwright {
+
+namespace {
+
+std::optional<MeshFormat> formatOf(const QString& file) {
+    const QString ending = QFileInfo(file).suffix().toLower();
+    if (ending == QStringLiteral("stl"))
+        return MeshFormat::StlBinary;
+    if (ending == QStringLiteral("ply"))
+        return MeshFormat::Ply;
+    if (ending == QStringLiteral("obj"))
+        return MeshFormat::Obj;
+    if (ending == QStringLiteral("off"))
+        return MeshFormat::Off;
+    return std::nullopt;
+}
+
+/// A plane to begin with: level, through the part's middle.
+MoldState levelPlane(const IndexedMesh& part) {
+    PartingPlane plane;
+    plane.offset = plane.normal.dot(boundingBox(part).center());
+    return {plane, Directions::normalTo(plane)};
+}
+
+} // namespace
+
+void Workbench::openFile(const QString& file) {
+    readFile(file, QFileInfo(file).completeBaseName(), false);
+}
+
+void Workbench::openSample(const QString& file, const QString& name) {
+    readFile(file, name, true);
+}
+
+void Workbench::readFile(const QString& file, const QString& name, bool sample) {
+    if (m_background.busy())
+        return;
+    m_background.start(tr("Opening %1").arg(QFileInfo(file).fileName()),
+                       [=, this](const Task& task) -> Background::Finish {
+                           const Result<ReadMesh> read = readMesh(file.toStdString(), task);
+                           const Result<PreparedMesh> prepared =
+                               read ? prepare(read->mesh, QFileInfo(file).fileName().toStdString())
+                                    : std::unexpected(read.error());
+                           return [=, this] {
+                               if (!prepared) {
+                                   complain(prepared.error(), tr("Opening"));
+                                   return;
+                               }
+                               const OpenedMesh opened{name, sample ? QString() : file, *prepared};
+                               if (sample)
+                                   take(opened, Unit::Millimetre, 1);
+                               else
+                                   Q_EMIT unitAsked(opened);
+                           };
+                       });
+}
+
+void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
+    const auto source = std::make_shared<const IndexedMesh>(opened.prepared.mesh);
+    Project project = withPart(m_document.committed(), opened.name.toStdString(), opened.file.toStdString(),
+                               source, {unit, scale, Eigen::Isometry3d::Identity()});
+    project = withState(project, levelPlane(*project.part), false);
+    m_candidates.clear();
+    m_candidate = -1;
+    m_progress.clear();
+    m_document.open(project, {});
+    if (!opened.file.isEmpty())
+        preferences::addRecentFile(opened.file);
+    const Eigen::Vector3d size = boundingBox(*project.part).sizes();
+    say(Standing::Done, tr("%1 opened: %2 × %3 × %4 mm, closed.")
+                            .arg(opened.name)
+                            .arg(size.x(), 0, 'f', 1)
+                            .arg(size.y(), 0, 'f', 1)
+                            .arg(size.z(), 0, 'f', 1));
+    Q_EMIT partOpened();
+}
+
+void Workbench::closePart() {
+    m_document.open(Project{}, {});
+    m_answer.reset();
+    m_mold.reset();
+    m_moldCast.reset();
+    m_progress.clear();
+    m_messages.clear();
+    Q_EMIT changed();
+}
+
+void Workbench::exportShape(const QString& file) {
+    const std::optional<MeshFormat> format = formatOf(file);
+    if (!format) {
+        Q_EMIT problem(tr("The shape was not written: the file's name must end in stl, ply, obj or off."),
+                       file);
+        return;
+    }
+    const SharedMesh mesh = shownMesh();
+    m_background.start(
+        tr("Writing %1").arg(QFileInfo(file).fileName()), [=, this](const Task&) -> Background::Finish {
+            const Result<void> written = writeMesh(file.toStdString(), *mesh, *format);
+            return [=, this] {
+                if (!written)
+                    complain(written.error(), tr("Export"));
+                else
+                    say(Standing::Done, tr("Shape written to %1.").arg(QDir::toNativeSeparators(file)));
+            };
+        });
+}
+
+void Workbench::exportMold(const QString& folder) {
+    const auto mold = m_mold;
+    const std::string name = project().name;
+    m_background.start(tr("Writing the halves"), [=, this](const Task&) -> Background::Finish {
+        const Result<void> written = writeMold(*mold, name, folder.toStdString());
+        return [=, this] {
+            if (!written)
+                complain(written.error(), tr("Export"));
+            else
+                say(Standing::Done, tr("Mold halves written to %1.").arg(QDir::toNativeSeparators(folder)));
+        };
+    });
+}
+
+} // namespace moldwright
