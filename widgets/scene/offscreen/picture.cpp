@@ -81,7 +81,7 @@ Picture renderPicture(Scene& scene, const EglContext& context, const Eigen::Vect
     scene.arrange(fitted(lookingFrom({}, from), scene.box(), view), view);
     window.vtk()->Render();
     vtkNew<vtkUnsignedCharArray> pixels;
-    window.vtk()->GetPixelData(0, 0, finer * width - 1, finer * height - 1, 0, pixels.Get());
+    window.vtk()->GetPixelData(0, 0, finer * width - 1, finer * height - 1, 0, pixels.Get(), 0);
     return halved(*pixels, width, height);
 }
 

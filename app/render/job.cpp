@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "render/job.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace moldwright::render {
+
+namespace {
+
+constexpr std::array<const char*, 3> taskNames = {"report", "pictures", "thumbnail"};
+constexpr int largestPicture = 8192;
+
+} // namespace
+
+Result<Job> readJob(const std::string& json) {
+    const auto refused = [] {
+        return failure(ErrorCode::Usage, MW_TEXT("Pictures", "The picture program was given an order that it "
+                                                             "does not understand."));
+    };
+    try {
+        const auto parsed = nlohmann::json::parse(json);
+        const auto task = std::find(taskNames.begin(), taskNames.end(), parsed.at("task").get<std::string>());
+        if (task == taskNames.end())
+            return refused();
+        Job job;
+        job.task = static_cast<Job::Task>(task - taskNames.begin());
+        job.project = parsed.at("project").get<std::string>();
+        job.out = parsed.at("out").get<std::string>();
+        job.width = std::clamp(parsed.value("width", job.width), 16, largestPicture);
+        job.height = std::clamp(parsed.value("height", job.height), 16, largestPicture);
+        return job;
+    } catch (const nlohmann::json::exception&) {
+        return refused();
+    }
+}
+
+std::string jobText(const Job& job) {
+    return nlohmann::json{{"task", taskNames.at(static_cast<std::size_t>(job.task))},
+                          {"project", job.project.string()},
+                          {"out", job.out.string()},
+                          {"width", job.width},
+                          {"height", job.height}}
+        .dump();
+}
+
+} // namespace moldwright::render

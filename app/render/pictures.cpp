@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "render/pictures.h"
+
+#include "exchange/mesh_file.h"
+#include "mesh/measures.h"
+#include "scene/offscreen/picture.h"
+
+namespace moldwright::render {
+
+namespace {
+
+using Eigen::Vector3d;
+using scene::Rgb;
+
+// About 400 dots an inch in the columns of the report.
+constexpr int width = 900;
+constexpr int height = 720;
+const Vector3d fromFrontRight(1, -1.7, 0.8);
+const Vector3d fromAbove(0.35, -1, 1.1);
+
+scene::SceneColours onPaper() {
+    scene::SceneColours colours = scene::lightColours();
+    colours.viewTop = colours.viewBottom = Rgb::hex(0xffffff);
+    return colours;
+}
+
+std::vector<Rgb> redWhere(const std::vector<std::uint8_t>& faces) {
+    const scene::SceneColours colours = onPaper();
+    std::vector<Rgb> result;
+    result.reserve(faces.size());
+    for (const std::uint8_t bad : faces)
+        result.push_back(bad ? colours.undercut : colours.part);
+    return result;
+}
+
+std::vector<Rgb> byDraft(const std::vector<double>& draft, double required) {
+    std::vector<Rgb> result;
+    result.reserve(draft.size());
+    for (const double angle : draft)
+        result.push_back(
+            scene::draftClassColours().at(static_cast<std::size_t>(scene::draftClass(angle, required))));
+    return result;
+}
+
+/// Half 2 as it lies and half 1 turned over to its right, as one surface with a colour per face.
+struct SideBySide {
+    SharedMesh mesh;
+    std::vector<Rgb> colours;
+};
+
+SideBySide sideBySide(const Mold& mold) {
+    const IndexedMesh& left = *mold.half2.mesh;
+    const IndexedMesh& right = *mold.half1.mesh;
+    const double gap = 0.12 * mold.half1.size.x();
+    IndexedMesh both;
+    both.V.resize(left.V.rows() + right.V.rows(), 3);
+    both.V.topRows(left.V.rows()) = left.V;
+    both.V.bottomRows(right.V.rows()) = right.V * Vector3d(-1, 1, -1).asDiagonal();
+    both.V.bottomRows(right.V.rows()).col(0).array() += mold.half1.size.x() + gap;
+    both.F.resize(left.F.rows() + right.F.rows(), 3);
+    both.F << left.F, (right.F.array() + left.vertexCount()).matrix();
+    SideBySide result;
+    result.mesh = std::make_shared<const IndexedMesh>(std::move(both));
+    result.colours.assign(static_cast<std::size_t>(left.faceCount()), onPaper().half2);
+    result.colours.resize(static_cast<std::size_t>(result.mesh->faceCount()), onPaper().half1);
+    return result;
+}
+
+/// Draws one surface and writes the picture.
+Result<void> draw(const scene::EglContext& context, const SharedMesh& mesh, const std::vector<Rgb>& colours,
+                  const Vector3d& from, int wide, int high, const std::filesystem::path& file) {
+    scene::Scene view;
+    view.setLook(onPaper(), 2);
+    view.setSurface(mesh, colours);
+    return writeFileAtomically(file, scene::pngBytes(scene::renderPicture(view, context, from, wide, high)));
+}
+
+} // namespace
+
+Result<void> drawReportPictures(const Project& project, const Evaluation& evaluation,
+                                const std::filesystem::path& folder) {
+    const Result<std::unique_ptr<scene::EglContext>> context = scene::EglContext::create();
+    if (!context)
+        return std::unexpected(context.error());
+    const auto picture = [&](const SharedMesh& mesh, const std::vector<Rgb>& colours, const Vector3d& from,
+                             const char* name) {
+        return draw(**context, mesh, colours, from, width, height, folder / name);
+    };
+    Result<void> done;
+    if (project.part)
+        done =
+            picture(project.part, evaluation.part ? redWhere(evaluation.part->violating) : std::vector<Rgb>{},
+                    fromFrontRight, partPicture);
+    if (done && project.cast) {
+        done = picture(project.cast->mesh, {}, fromFrontRight, castPicture);
+        if (done && evaluation.cast)
+            done =
+                picture(project.cast->mesh, byDraft(evaluation.cast->faceDraft, project.cast->draftDegrees),
+                        fromFrontRight, draftPicture);
+    }
+    if (done && evaluation.mold) {
+        const SideBySide halves = sideBySide(*evaluation.mold);
+        done = picture(halves.mesh, halves.colours, fromAbove, halvesPicture);
+    }
+    return done;
+}
+
+Result<void> drawThumbnail(const Project& project, const std::filesystem::path& file, int wide, int high) {
+    const Result<std::unique_ptr<scene::EglContext>> context = scene::EglContext::create();
+    if (!context)
+        return std::unexpected(context.error());
+    return draw(**context, project.cast ? project.cast->mesh : project.part, {}, fromFrontRight, wide, high,
+                file);
+}
+
+} // namespace moldwright::render

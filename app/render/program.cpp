@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "render/program.h"
+
+#include "project/project_file.h"
+#include "render/pictures.h"
+#include "render/report_job.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QGuiApplication>
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+namespace moldwright::render {
+
+namespace {
+
+std::string orderFrom(int argc, char** argv) {
+    if (argc < 2)
+        return {std::istreambuf_iterator<char>(std::cin), {}};
+    std::ifstream file(argv[1]);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Result<void> report(const Job& job, int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QGuiApplication application(argc, argv);
+    const Result<ReportAnswer> answer = writeReport(job);
+    if (!answer)
+        return std::unexpected(answer.error());
+    std::cout << nlohmann::json{{"pages", answer->pages}, {"missing", answer->missingPictures}} << "\n";
+    return {};
+}
+
+Result<void> draw(const Job& job) {
+    const Result<StoredProject> stored = openProject(job.project);
+    if (!stored)
+        return std::unexpected(stored.error());
+    if (job.task == Job::Task::Thumbnail)
+        return drawThumbnail(stored->project, job.out, job.width, job.height);
+    const Result<Evaluation> evaluation = evaluate(stored->project);
+    if (!evaluation)
+        return std::unexpected(evaluation.error());
+    return drawReportPictures(stored->project, *evaluation, job.out);
+}
+
+int exitCodeOf(ErrorCode code) {
+    switch (code) {
+    case ErrorCode::Usage:
+        return 2;
+    case ErrorCode::BadInput:
+    case ErrorCode::WriteFailed:
+        return 3;
+    default:
+        return 70;
+    }
+}
+
+} // namespace
+
+int runProgram(int argc, char** argv) {
+    const Result<Job> job = readJob(orderFrom(argc, argv));
+    Result<void> done;
+    if (!job)
+        done = std::unexpected(job.error());
+    else
+        done = job->task == Job::Task::Report ? report(*job, argc, argv) : draw(*job);
+    if (done)
+        return 0;
+    std::cerr << done.error().english() << "\n";
+    return exitCodeOf(done.error().code);
+}
+
+} // namespace moldwright::render

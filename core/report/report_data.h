@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/analysis.h"
+#include "design/design.h"
+#include "mold/mold.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace moldwright {
+
+/// What a report is about. Without a cast or a mold it says what is still missing.
+struct ReportSubject {
+    std::string partName;
+    std::string sourceFile;
+    std::string fileHash; ///< SHA-256 of the project file
+    std::string date;     ///< as it is to be printed
+    SharedMesh part;
+    std::optional<MoldState> state; ///< in the part's frame
+    double draftDegrees = 1;
+    std::optional<DraftAnalysis> partAnalysis;
+    SharedMesh cast;
+    std::optional<Change> change;
+    std::shared_ptr<const Mold> mold;
+};
+
+struct ReportRow {
+    std::string label;
+    std::string value;
+    bool strong = false; ///< the row that answers the section's question
+};
+
+struct ReportSection {
+    std::string title;
+    std::vector<ReportRow> rows;
+};
+
+/// Draft of one half by area: bars of 5° from 0° to 90°.
+struct DraftBars {
+    std::array<double, 18> area{}; ///< mm²
+    double worst = 90;             ///< degrees, rounded down
+    double mean = 0;               ///< degrees, weighted by area
+};
+
+/// One promise of the certificate and whether it holds.
+struct ReportCheck {
+    std::string text;
+    bool holds = false;
+};
+
+/// A value that nobody chose, with where it comes from.
+struct ReportDefault {
+    std::string name;
+    std::string value;
+    std::string source;
+};
+
+/// Everything a report prints, as text and numbers, in the order of its pages; HTML and PDF lay out the same.
+struct ReportData {
+    std::string partName;
+    std::string fileHash;
+    std::string date;
+    bool proved = false;
+    std::string verdict;   ///< "Castable. The mold opens."
+    std::string statement; ///< on what, for what, at which angle
+    std::vector<ReportRow> titleBlock;
+    std::string partCaption;
+    std::string castCaption;
+    double requiredDraft = 1;
+    ReportSection planeAndDirections;
+    ReportSection numbers;
+    ReportSection kept; ///< how the cast compares with the part
+    std::optional<std::array<DraftBars, 2>> bars;
+    ReportSection halves;
+    std::vector<ReportCheck> checks;
+    std::vector<ReportDefault> defaults;
+    std::vector<std::string> openItems;
+};
+
+[[nodiscard]] ReportData reportData(const ReportSubject& subject);
+
+/// Areas of the faces of a placed cast (plane z = 0) per 5° of draft against their own half's direction.
+[[nodiscard]] std::array<DraftBars, 2> draftBars(const IndexedMesh& placedCast, const Directions& directions);
+
+} // namespace moldwright
