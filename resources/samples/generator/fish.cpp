@@ -7,9 +7,9 @@ namespace moldwright::samples {
 namespace {
 
 Field body(double inflation) {
-    std::vector<Station> stations = {{{0, -40.5, 28.8}, 6.8, 5.6}, {{0, -34, 29.3}, 10, 7.6},
-                                     {{0, -20, 30.5}, 14.6, 9.5},  {{0, -3, 30.5}, 15.5, 9.4},
-                                     {{1.5, 15, 30}, 11, 7},       {{6, 30, 30}, 5.8, 4.2},
+    std::vector<Station> stations = {{{0, -41, 28.8}, 7.8, 6},    {{0, -34.5, 29.3}, 10.4, 7.6},
+                                     {{0, -20, 30.5}, 14.6, 9.5}, {{0, -3, 30.5}, 15.5, 9.4},
+                                     {{1.5, 15, 30}, 11, 7},      {{6, 30, 30}, 5.8, 4.2},
                                      {{12.5, 40, 30.5}, 4.6, 3}};
     for (Station& s : stations) {
         s.width += inflation;
@@ -50,10 +50,10 @@ Field fins() {
 } // namespace
 
 Sample fish() {
-    const Field gillCover = overlap(body(0.8), ellipsoid({0, -30, 29.5}, {14, 13, 13}), 1);
-    const Field mouth = limb({{{0, -47.2, 27}, 0.7}, {{3.4, -44.6, 26.2}, 0.7}, {{6, -39.5, 24.8}, 0.6}});
+    const Field gillCover = overlap(body(0.8), ellipsoid({0, -40, 29.5}, {18, 23, 18}), 1);
+    const Field mouth = limb({{{0, -49.2, 26.6}, 0.8}, {{4, -46.4, 25.6}, 0.8}, {{7, -40.5, 23.8}, 0.7}});
     const Field trunk = carve(join({body(0), gillCover}, 0.6), join({mouth, mirrored(mouth)}, 0.5), 0.8);
-    const Field eye = ellipsoid({6.6, -33.5, 33}, {2.4, 2.9, 2.9});
+    const Field eye = ellipsoid({7.3, -34, 33}, {2.4, 2.9, 2.9});
     const Field whole = join({trunk, fins(), tailFin()}, 2.5);
     return {"fish",
             "Fish",

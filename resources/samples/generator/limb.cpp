@@ -21,6 +21,7 @@ class Limb {
 public:
     Limb(const std::vector<Station>& stations, const Vector3d& flat) : m_flat(flat.normalized()) {
         std::vector<Section> knots;
+        knots.reserve(stations.size() + 2);
         for (const Station& s : stations)
             knots.push_back((Section() << s.at, s.width, s.thickness).finished());
         // Continued past the ends by reflection.
