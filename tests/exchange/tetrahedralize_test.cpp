@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "exchange/tetrahedralize.h"
 
+#include "exchange/mesh_file.h"
 #include "mesh/measures.h"
+#include "support/folders.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -71,4 +73,19 @@ TEST(Tetrahedralize, ACancelledTaskAnswersCancelled) {
     const auto tets = tetrahedralize(test::sphere({0, 0, 0}, 0.5, 2), task);
     ASSERT_FALSE(tets);
     EXPECT_EQ(tets.error().code, ErrorCode::Cancelled);
+}
+
+// Thin limbs, sharp creases and the slivers of a CAD tessellation.
+TEST(Tetrahedralize, FillsRealModels) {
+    if (!test::models())
+        GTEST_SKIP() << "MOLDWRIGHT_MODELS is not set";
+    for (const char* name : {"spot.obj", "beam.stl", "xy_joint_upper.stl"}) {
+        const auto read = readMesh(*test::models() / name);
+        ASSERT_TRUE(read) << read.error().english();
+        IndexedMesh mesh = read->mesh;
+        mesh.V = ((mesh.V.rowwise() - boundingBox(mesh).center().transpose()) / diagonal(mesh)).eval();
+        const auto tets = tetrahedralize(mesh);
+        ASSERT_TRUE(tets) << name << ": " << tets.error().english();
+        EXPECT_NEAR(sumOfVolumes(*tets), volume(mesh), 1e-9) << name;
+    }
 }
