@@ -5,16 +5,13 @@
 #include "mesh/measures.h"
 #include "mesh/nesting.h"
 #include "mesh/union_find.h"
+#include "mesh/weld.h"
 
 #include <algorithm>
 
 namespace moldwright {
 
 namespace {
-
-bool usesAPointTwice(const IndexedMesh& mesh, int f) {
-    return mesh.F(f, 0) == mesh.F(f, 1) || mesh.F(f, 1) == mesh.F(f, 2) || mesh.F(f, 2) == mesh.F(f, 0);
-}
 
 void sortUnique(std::vector<int>& list) {
     std::sort(list.begin(), list.end());

@@ -23,10 +23,6 @@ constexpr double nearDistance = 1e-6;
 constexpr double smallestDiagonal = 1e-40;
 constexpr double largestDiagonal = 1e40;
 
-bool usesAPointTwice(const IndexedMesh& mesh, int f) {
-    return mesh.F(f, 0) == mesh.F(f, 1) || mesh.F(f, 1) == mesh.F(f, 2) || mesh.F(f, 2) == mesh.F(f, 0);
-}
-
 /// Mends a copy of a mesh step by step and remembers which given face each of its faces was.
 class Preparation {
 public:

@@ -5,6 +5,11 @@
 
 namespace moldwright {
 
+/// True when two corners of face f are one point, as welding can make them.
+[[nodiscard]] inline bool usesAPointTwice(const IndexedMesh& mesh, int f) {
+    return mesh.F(f, 0) == mesh.F(f, 1) || mesh.F(f, 1) == mesh.F(f, 2) || mesh.F(f, 2) == mesh.F(f, 0);
+}
+
 /// A mesh whose points were merged, and how many points that saved.
 struct WeldedMesh {
     IndexedMesh mesh;
