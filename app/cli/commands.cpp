@@ -6,6 +6,7 @@
 #include "cli/info_command.h"
 #include "cli/mold_command.h"
 #include "cli/plane_command.h"
+#include "cli/report_command.h"
 #include "cli/verify_command.h"
 
 namespace moldwright::cli {
@@ -13,7 +14,7 @@ namespace moldwright::cli {
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
         checkCommand(), planeCommand(),  analyzeCommand(), designCommand(),
-        moldCommand(),  verifyCommand(), infoCommand(),
+        moldCommand(),  verifyCommand(), reportCommand(),  infoCommand(),
     };
     return all;
 }

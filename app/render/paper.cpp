@@ -40,12 +40,21 @@ void Paper::setPen(double points, QColor colour, Qt::PenStyle style) {
     m_painter.setPen(pen);
 }
 
-double Paper::text(double x, double y, double w, const QString& words, const Type& type,
-                   Qt::AlignmentFlag side) {
+void Paper::setFont(const Type& type) {
     QFont font(QStringLiteral("Noto Sans"));
     font.setPointSizeF(type.points);
     font.setBold(type.bold);
     m_painter.setFont(font);
+}
+
+double Paper::widthOf(const QString& words, const Type& type) {
+    setFont(type);
+    return m_painter.boundingRect(QRectF(), Qt::AlignLeft, words).width() / m_unit;
+}
+
+double Paper::text(double x, double y, double w, const QString& words, const Type& type,
+                   Qt::AlignmentFlag side) {
+    setFont(type);
     m_painter.setPen(type.colour);
     QRectF used;
     // Room downwards without end: what is set decides its height.

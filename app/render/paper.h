@@ -50,6 +50,7 @@ public:
     /// Sets text from the top edge y within [x, x + w], broken at spaces and line ends; returns its height.
     double text(double x, double y, double w, const QString& words, const Type& type,
                 Qt::AlignmentFlag side = Qt::AlignLeft);
+    [[nodiscard]] double widthOf(const QString& words, const Type& type);
     void line(double x1, double y1, double x2, double y2, double points, QColor colour);
     void fill(const QRectF& area, QColor colour);
     void dashedLine(double x1, double y1, double x2, double y2, double points, QColor colour);
@@ -60,6 +61,7 @@ public:
 
 private:
     [[nodiscard]] QRectF device(const QRectF& area) const;
+    void setFont(const Type& type);
     void setPen(double points, QColor colour, Qt::PenStyle style = Qt::SolidLine);
 
     QPdfWriter m_writer;

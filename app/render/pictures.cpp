@@ -17,6 +17,7 @@ constexpr int width = 900;
 constexpr int height = 720;
 const Vector3d fromFrontRight(1, -1.7, 0.8);
 const Vector3d fromAbove(0.35, -1, 1.1);
+const Vector3d fromTheSide(0.7, -1, 0.3);
 
 scene::SceneColours onPaper() {
     scene::SceneColours colours = scene::lightColours();
@@ -66,13 +67,30 @@ SideBySide sideBySide(const Mold& mold) {
     return result;
 }
 
+/// The picture without the empty paper round what is drawn.
+Result<void> write(const scene::Picture& picture, const std::filesystem::path& file) {
+    return writeFileAtomically(file, scene::pngBytes(scene::cropped(picture, Rgb::hex(0xffffff))));
+}
+
+/// The mold opened, upright as in its own frame, with the cast between its halves.
+Result<void> drawOpened(const scene::EglContext& context, const Mold& mold,
+                        const std::filesystem::path& file) {
+    constexpr double opening = 0.4;
+    scene::Scene view;
+    view.setLook(onPaper(), 2);
+    view.setSurface(mold.cast, {});
+    view.setHalves(mold.half1.mesh, mold.half2.mesh, Eigen::Isometry3d::Identity(), mold.directions);
+    view.setOpening(opening);
+    return write(scene::renderPicture(view, context, fromTheSide, width, height), file);
+}
+
 /// Draws one surface and writes the picture.
 Result<void> draw(const scene::EglContext& context, const SharedMesh& mesh, const std::vector<Rgb>& colours,
                   const Vector3d& from, int wide, int high, const std::filesystem::path& file) {
     scene::Scene view;
     view.setLook(onPaper(), 2);
     view.setSurface(mesh, colours);
-    return writeFileAtomically(file, scene::pngBytes(scene::renderPicture(view, context, from, wide, high)));
+    return write(scene::renderPicture(view, context, from, wide, high), file);
 }
 
 } // namespace
@@ -101,6 +119,8 @@ Result<void> drawReportPictures(const Project& project, const Evaluation& evalua
     if (done && evaluation.mold) {
         const SideBySide halves = sideBySide(*evaluation.mold);
         done = picture(halves.mesh, halves.colours, fromAbove, halvesPicture);
+        if (done)
+            done = drawOpened(**context, *evaluation.mold, folder / openedPicture);
     }
     return done;
 }
@@ -109,8 +129,11 @@ Result<void> drawThumbnail(const Project& project, const std::filesystem::path& 
     const Result<std::unique_ptr<scene::EglContext>> context = scene::EglContext::create();
     if (!context)
         return std::unexpected(context.error());
-    return draw(**context, project.cast ? project.cast->mesh : project.part, {}, fromFrontRight, wide, high,
-                file);
+    scene::Scene view;
+    view.setLook(onPaper(), 1);
+    view.setSurface(project.cast ? project.cast->mesh : project.part, {});
+    return writeFileAtomically(
+        file, scene::pngBytes(scene::renderPicture(view, **context, fromFrontRight, wide, high)));
 }
 
 } // namespace moldwright::render

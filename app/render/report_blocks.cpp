@@ -88,8 +88,9 @@ double drawPicture(Paper& paper, const QRectF& area, const QImage& image, const 
         paper.picture(area, image);
     const double y = area.bottom() + 1;
     paper.line(area.left(), y, area.right(), y, 0.5, ink::hairline);
-    const double indent = 1.9 + 1.45 * static_cast<double>(name.size());
-    paper.text(area.left(), y + 0.9, area.width(), name + QLatin1Char('.'), {7.5, true});
+    const QString title = name + QLatin1Char('.');
+    paper.text(area.left(), y + 0.9, area.width(), title, {7.5, true});
+    const double indent = paper.widthOf(title, {7.5, true}) + 1.2;
     paper.text(area.left() + indent, y + 0.9, area.width() - indent, about, {7.5});
     return y + 5;
 }

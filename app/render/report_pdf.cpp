@@ -142,11 +142,17 @@ void drawSignOff(Paper& paper, double y) {
     paper.line(Paper::left, y + tall, Paper::right, y + tall, 1, ink::text);
 }
 
-void drawSecondPage(Paper& paper, const ReportData& data) {
+void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem::path& pictures) {
     drawHeader(paper, data, QStringLiteral("Mold and proof"));
     double y = 28;
-    if (!data.halves.rows.empty())
-        y = drawSection(paper, Paper::left, y, Paper::right - Paper::left, data.halves) + 5;
+    for (const ReportSection& half : data.halves)
+        y = drawSection(paper, Paper::left, y, column, half) + 4;
+    if (!data.halves.empty()) {
+        const double end = drawPicture(paper, {second, 27, column, 62}, imageIn(pictures, openedPicture),
+                                       QStringLiteral("Opened"),
+                                       QStringLiteral("Each half along its own direction, the cast between"));
+        y = std::max(y, end) + 3;
+    }
     if (!data.checks.empty())
         y = drawChecks(paper, data, y) + 2;
     y += paper.text(
@@ -181,7 +187,7 @@ Result<int> writeReportPdf(const ReportData& data, const std::filesystem::path& 
         return failed();
     drawFirstPage(paper, data, pictures);
     paper.newPage();
-    drawSecondPage(paper, data);
+    drawSecondPage(paper, data, pictures);
     std::error_code error;
     if (!paper.close())
         return failed();

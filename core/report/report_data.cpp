@@ -102,13 +102,15 @@ ReportSection kept(const ReportSubject& subject) {
     return section;
 }
 
-ReportSection halves(const Mold& mold) {
-    const auto row = [](const char* name, const MoldHalf& half, const Vector3d& d) {
-        return ReportRow{name, sizeInMillimetres(half.size) + "\n" + volumeInCm3(half.volume) +
-                                   "\nopens along " + figures(d, 4)};
+std::vector<ReportSection> halves(const Mold& mold) {
+    const auto section = [](const char* name, const MoldHalf& half, const Vector3d& d) {
+        return ReportSection{name,
+                             {{"Size", sizeInMillimetres(half.size)},
+                              {"Volume", volumeInCm3(half.volume)},
+                              {"Opens along, mold’s frame", figures(d, 4)}}};
     };
-    return {"Mold halves, in the mold’s frame",
-            {row("Half 1", mold.half1, mold.directions.d1), row("Half 2", mold.half2, mold.directions.d2)}};
+    return {section("Mold half 1", mold.half1, mold.directions.d1),
+            section("Mold half 2", mold.half2, mold.directions.d2)};
 }
 
 std::vector<ReportCheck> checks(const Mold& mold) {

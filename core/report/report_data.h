@@ -75,7 +75,7 @@ struct ReportData {
     ReportSection numbers;
     ReportSection kept; ///< how the cast compares with the part
     std::optional<std::array<DraftBars, 2>> bars;
-    ReportSection halves;
+    std::vector<ReportSection> halves;
     std::vector<ReportCheck> checks;
     std::vector<ReportDefault> defaults;
     std::vector<std::string> openItems;

@@ -9,6 +9,8 @@
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+
 namespace moldwright::scene {
 
 namespace {
@@ -83,6 +85,27 @@ Picture renderPicture(Scene& scene, const EglContext& context, const Eigen::Vect
     vtkNew<vtkUnsignedCharArray> pixels;
     window.vtk()->GetPixelData(0, 0, finer * width - 1, finer * height - 1, 0, pixels.Get(), 0);
     return halved(*pixels, width, height);
+}
+
+Picture cropped(const Picture& picture, Rgb background) {
+    Eigen::AlignedBox2i drawn;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            if (picture.at(x, y) != background)
+                drawn.extend(Eigen::Vector2i(x, y));
+    if (drawn.isEmpty())
+        return picture;
+    const int margin = picture.width / 100;
+    const Eigen::Vector2i from = (drawn.min().array() - margin).max(0);
+    const int right = std::min(drawn.max().x() + margin, picture.width - 1);
+    const int bottom = std::min(drawn.max().y() + margin, picture.height - 1);
+    Picture part{right - from.x() + 1, bottom - from.y() + 1, {}};
+    for (int y = from.y(); y <= bottom; ++y)
+        for (int x = from.x(); x <= right; ++x) {
+            const Rgb colour = picture.at(x, y);
+            part.rgb.insert(part.rgb.end(), {colour.r, colour.g, colour.b});
+        }
+    return part;
 }
 
 std::string pngBytes(const Picture& picture) {

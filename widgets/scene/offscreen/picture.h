@@ -29,6 +29,10 @@ struct Picture {
 [[nodiscard]] Picture renderPicture(Scene& scene, const EglContext& context, const Eigen::Vector3d& from,
                                     int width, int height);
 
+/// The part of a picture that is not all `background`, within a margin of a hundredth of its width; the whole
+/// when nothing is.
+[[nodiscard]] Picture cropped(const Picture& picture, Rgb background);
+
 /// The bytes of a PNG file.
 [[nodiscard]] std::string pngBytes(const Picture& picture);
 

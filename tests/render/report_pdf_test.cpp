@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The picture program and the command `report`, by running the real programs without a display.
+#include "castability/certificate.h"
+#include "cli/run_program.h"
+#include "project/edits.h"
+#include "project/project_file.h"
+#include "render/job.h"
+#include "support/casts.h"
+#include "support/folders.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+using namespace moldwright;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+class Report : public testing::Test {
+protected:
+    std::string in(const std::string& name) const { return m_folder.path() / name; }
+
+    void SetUp() override {
+        unsetenv("DISPLAY");         // NOLINT(concurrency-mt-unsafe)
+        unsetenv("WAYLAND_DISPLAY"); // NOLINT(concurrency-mt-unsafe)
+        const test::KnownCast cast = test::sheared(test::ball(20, 3), 0.1, 0);
+        const auto mesh = std::make_shared<const IndexedMesh>(cast.mesh);
+        DesignResult result;
+        result.cast = mesh;
+        result.labels = labelSides(cast.mesh, cast.state.plane);
+        result.state = cast.state;
+        ASSERT_TRUE(saveProject(in("ball.moldwright"),
+                                {withCast(withPart({}, "Ball", "ball.stl", mesh, {}), result, 1), "", ""}));
+    }
+
+    static std::string bytesOf(const std::string& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    test::ScratchFolder m_folder;
+};
+
+} // namespace
+
+TEST_F(Report, IsAPdfOfTwoPagesWithPictures) {
+    const test::Run run =
+        test::runProgram({"report", in("ball.moldwright"), "--out", in("ball.pdf"), "--json", "-"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["pages"], 2);
+    EXPECT_EQ(json["missing_pictures"], "");
+    const std::string pdf = bytesOf(in("ball.pdf"));
+    EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+    EXPECT_NE(pdf.find("/Count 2"), std::string::npos);
+    EXPECT_NE(pdf.find("/Subtype /Image"), std::string::npos);
+}
+
+TEST_F(Report, WithoutGraphicsComesWithoutPictures) {
+    setenv("LIBGL_DRIVERS_PATH", "/nowhere", 1);             // NOLINT(concurrency-mt-unsafe)
+    setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere", 1); // NOLINT(concurrency-mt-unsafe)
+    const test::Run run =
+        test::runProgram({"report", in("ball.moldwright"), "--out", in("ball.pdf"), "--json", "-"});
+    unsetenv("LIBGL_DRIVERS_PATH");             // NOLINT(concurrency-mt-unsafe)
+    unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES"); // NOLINT(concurrency-mt-unsafe)
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(Json::parse(run.out)["pages"], 2);
+    EXPECT_NE(Json::parse(run.out)["missing_pictures"], "");
+    EXPECT_EQ(bytesOf(in("ball.pdf")).find("/Subtype /Image"), std::string::npos);
+}
+
+TEST_F(Report, OfAMissingProjectIsRefusedByName) {
+    const test::Run run = test::runProgram({"report", in("none.moldwright"), "--out", in("none.pdf")});
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_NE(run.err.find("none.moldwright"), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(in("none.pdf")));
+}
+
+TEST_F(Report, ThatCannotBeWrittenKeepsTheOldOne) {
+    const test::Run run =
+        test::runProgram({"report", in("ball.moldwright"), "--out", in("no/such/folder.pdf")});
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_NE(run.err.find("could not be written"), std::string::npos) << run.err;
+}
+
+TEST(Job, ComesBackFromItsText) {
+    const render::Job job{render::Job::Task::Thumbnail, "a b.moldwright", "out.png", 640, 480};
+    const Result<render::Job> back = render::readJob(render::jobText(job));
+    ASSERT_TRUE(back.has_value());
+    EXPECT_EQ(back->task, job.task);
+    EXPECT_EQ(back->project, job.project);
+    EXPECT_EQ(back->width, 640);
+    EXPECT_FALSE(render::readJob("{}").has_value());
+    EXPECT_FALSE(render::readJob(R"({"task": "dance", "project": "a", "out": "b"})").has_value());
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "report/figures.h"
+#include "report/report_data.h"
+#include "report/sha256.h"
+#include "support/casts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace moldwright;
+using namespace moldwright::test;
+
+namespace {
+
+ReportSubject subjectWith(const KnownCast& cast) {
+    ReportSubject subject;
+    subject.partName = "Box";
+    subject.part = std::make_shared<const IndexedMesh>(cast.mesh);
+    subject.cast = subject.part;
+    subject.state = cast.state;
+    subject.change = Change{0.01, 0.05, 0.998, 0};
+    const SideLabels labels = labelSides(cast.mesh, cast.state.plane);
+    subject.mold = std::make_shared<const Mold>(buildMold(cast.mesh, labels, cast.state, 1, {}).value());
+    return subject;
+}
+
+std::string valueOf(const ReportSection& section, const std::string& label) {
+    for (const ReportRow& row : section.rows)
+        if (row.label == label)
+            return row.value;
+    return "no such row";
+}
+
+} // namespace
+
+TEST(Figures, HaveATrueMinusAndThinSpaces) {
+    EXPECT_EQ(figure(-0.23791, 4), "−0.2379");
+    EXPECT_EQ(figure(-0.00001, 2), "0.00");
+    EXPECT_EQ(figure(1234567.5, 1), "1\u2009234\u2009567.5");
+    EXPECT_EQ(figure(999, 0), "999");
+}
+
+TEST(Figures, AProvedAngleIsRoundedDown) {
+    EXPECT_EQ(figureRoundedDown(1.259, 2), "1.25");
+    EXPECT_EQ(figure(1.259, 2), "1.26");
+}
+
+TEST(Figures, VolumesAndAreasAreInCentimetres) {
+    EXPECT_EQ(volumeInCm3(54'230), "54.2 cm³");
+    EXPECT_EQ(volumeInCm3(102'400), "102 cm³");
+    EXPECT_EQ(areaInCm2(123), "1.23 cm²");
+}
+
+TEST(Sha256, OfTheStandardsExamples) {
+    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(sha256(std::string(1'000'000, 'a')),
+              "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(ReportData, OfAProvedMold) {
+    const ReportData data = reportData(subjectWith(frusta(20, 10, 5, 3, 0.1)));
+    EXPECT_TRUE(data.proved);
+    EXPECT_EQ(data.verdict, "Castable. The mold opens.");
+    EXPECT_NE(data.statement.find("draft 5.71° or more, where 1.0° is required"), std::string::npos);
+    EXPECT_EQ(valueOf(data.numbers, "Projected area in the plane"), "2.00 cm²");
+    EXPECT_EQ(valueOf(data.numbers, "Clamp force, 4 bar × 1.1"), "0.09 kN");
+    EXPECT_EQ(valueOf(data.numbers, "Smallest steel to the outside"), "5.00 mm");
+    EXPECT_EQ(valueOf(data.planeAndDirections, "Direction 2"), "(0.0000, 0.0000, −1.0000)\n0.0° to −n");
+    EXPECT_EQ(valueOf(data.kept, "Volume, cast over part"), "99.8 %");
+    EXPECT_TRUE(data.openItems.empty());
+    for (const ReportCheck& check : data.checks)
+        EXPECT_TRUE(check.holds) << check.text;
+}
+
+TEST(ReportData, NamesWhatDoesNotHold) {
+    const ReportData data = reportData(subjectWith(frusta(20, 10, 5, 3, 0)));
+    EXPECT_FALSE(data.proved);
+    EXPECT_EQ(data.verdict, "Not castable yet");
+    EXPECT_FALSE(data.openItems.empty());
+    EXPECT_EQ(std::count_if(data.checks.begin(), data.checks.end(), [](const auto& c) { return !c.holds; }),
+              2);
+}
+
+TEST(ReportData, OfAPartAloneSaysWhatIsMissing) {
+    ReportSubject subject;
+    subject.part = std::make_shared<const IndexedMesh>(ball(10, 2).mesh);
+    const ReportData data = reportData(subject);
+    EXPECT_FALSE(data.proved);
+    EXPECT_FALSE(data.bars.has_value());
+    EXPECT_EQ(data.openItems.size(), 1U);
+}
+
+TEST(ReportData, BarsHoldTheWholeAreaWhereItBelongs) {
+    const double lean = 0.1;
+    const KnownCast cast = frusta(20, 10, 5, 3, lean);
+    const std::array<DraftBars, 2> bars = draftBars(cast.mesh, cast.state.directions);
+    const double top = (20 - 2 * lean * 5) * (10 - 2 * lean * 5);
+    EXPECT_NEAR(bars[0].area[17], top, 1e-9);
+    // Walls: two trapezoids each, mid-width times slant height; 5.71° is the second bar.
+    const double slant = 5 * std::sqrt(1 + lean * lean);
+    EXPECT_NEAR(bars[0].area[1], 2 * slant * (20 - lean * 5 + 10 - lean * 5), 1e-9);
+    EXPECT_NEAR(bars[1].worst, degrees(std::atan(lean)), 1e-9);
+    const double whole = std::accumulate(bars[0].area.begin(), bars[0].area.end(), 0.0);
+    EXPECT_NEAR(whole, bars[0].area[1] + bars[0].area[17], 1e-9);
+}
+
+TEST(ReportData, ListsOnlyDefaultsThatWereUsed) {
+    ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+    Mold mold = *subject.mold;
+    mold.settings.wall = 9;
+    const std::size_t all = reportData(subject).defaults.size();
+    subject.mold = std::make_shared<const Mold>(mold);
+    EXPECT_EQ(reportData(subject).defaults.size(), all - 1);
+}
