@@ -65,9 +65,9 @@ void Document::goTo(std::size_t done) {
     Q_EMIT historyChanged();
 }
 
-void Document::markSaved(const QString& file) {
+void Document::markSaved(const QString& file, std::size_t done) {
     m_file = file;
-    m_history.markSaved();
+    m_history.markSaved(done);
     Q_EMIT historyChanged();
 }
 

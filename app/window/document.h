@@ -39,7 +39,8 @@ public:
 
     [[nodiscard]] bool isChanged() const { return !m_history.atSaved(); }
     [[nodiscard]] const QString& file() const { return m_file; }
-    void markSaved(const QString& file);
+    /// What was saved is the project after `done` steps.
+    void markSaved(const QString& file, std::size_t done);
 
 Q_SIGNALS:
     /// The project shown is another; derived things follow.

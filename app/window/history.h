@@ -39,8 +39,8 @@ public:
     /// Memory that only the history holds on to, about.
     [[nodiscard]] std::size_t bytes() const;
 
-    /// Marks where the document was saved.
-    void markSaved() { m_saved = static_cast<std::ptrdiff_t>(m_done); }
+    /// The document was saved as it is after `done` steps.
+    void markSaved(std::size_t done) { m_saved = static_cast<std::ptrdiff_t>(done); }
     [[nodiscard]] bool atSaved() const { return m_saved == static_cast<std::ptrdiff_t>(m_done); }
 
 private:

@@ -20,6 +20,7 @@
 #include "window/workbench.h"
 
 #include <QCloseEvent>
+#include <QLabel>
 #include <QListWidget>
 #include <QMimeData>
 #include <QScopedValueRollback>
@@ -52,6 +53,7 @@ MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     refresh();
     if (m_bench.project().part)
         m_view->fitAll(true);
+    m_centre->currentWidget()->setFocus();
 }
 
 MainWindow::~MainWindow() = default;
@@ -78,6 +80,8 @@ void MainWindow::refresh() {
     m_centre->setCurrentIndex(open ? 1 : 0);
     for (Dock* dock : m_docks)
         dock->setVisible(open && dock->toggleViewAction()->property("wanted").toBool());
+    for (Dock* dock : m_docks)
+        dock->setTitleShown(dock->isFloating() || tabifiedDockWidgets(dock).isEmpty());
     if (!open)
         m_start->setRecent(preferences::recentFiles());
     m_workflow->setStepsEnabled(open);
@@ -97,6 +101,7 @@ void MainWindow::refresh() {
     refreshHistory();
     refreshActions();
     refreshTitle();
+    refreshHint();
     refreshProperties();
 }
 
@@ -222,6 +227,22 @@ void MainWindow::refreshTitle() {
                                                   : tr("%1 · Moldwright").arg(name));
 }
 
+void MainWindow::refreshHint() {
+    const QString keys = tr("<b>?</b> shows all keys.");
+    if (!m_bench.project().part)
+        m_hint->setText(tr("Open a part, drop one here, or choose a sample. %1").arg(keys));
+    else if (m_view->pickingFaces())
+        m_hint->setText(tr("<b>Click</b> the face that shall lie on the ground. <b>Esc</b> leaves."));
+    else if (m_bench.running())
+        m_hint->setText(tr("The part bends. <b>Ctrl+.</b> stops it."));
+    else if (moldShown())
+        m_hint->setText(tr("<b>X</b> opens and closes the mold. %1").arg(keys));
+    else
+        m_hint->setText(
+            tr("<b>Drag</b> a grip of the plane to move or tilt it, with <b>Ctrl</b> in whole steps. %1")
+                .arg(keys));
+}
+
 void MainWindow::refreshProperties(bool evenIfSame) {
     if (!m_bench.project().part)
         return;
@@ -294,6 +315,10 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayClose()) {
+        event->ignore();
+        return;
+    }
     preferences::setLayout(u"geometry"_s, saveGeometry());
     if (m_bench.project().part)
         preferences::setLayout(u"docks"_s, saveState(1));

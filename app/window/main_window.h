@@ -74,7 +74,12 @@ private:
     void chooseFileToOpen();
     void chooseFileToExport();
     void chooseFolderForMold();
+    void chooseFileForReport();
     void askUnit(const OpenedMesh& opened);
+    void save();
+    void saveAs();
+    [[nodiscard]] bool mayClose();
+    [[nodiscard]] QByteArray thumbnail();
     void saveScreenshot();
     void showKeys();
     void showAbout();
@@ -89,6 +94,7 @@ private:
     void refreshHistory();
     void refreshActions();
     void refreshTitle();
+    void refreshHint();
     void refreshProperties(bool evenIfSame = false);
     void select(const QString& id);
     void chooseStep(int step);
@@ -120,9 +126,11 @@ private:
     QListWidget* m_history = nullptr;
     CommandSearch* m_search = nullptr;
     QLabel* m_navigationLabel = nullptr;
+    QLabel* m_hint = nullptr;
     QMenu* m_dockMenu = nullptr;
     QList<class Dock*> m_docks;
     QByteArray m_firstLayout;
+    QLabel* m_savedLabel = nullptr;
 };
 
 } // namespace moldwright

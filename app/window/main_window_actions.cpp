@@ -24,13 +24,18 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QBuffer>
+#include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QShortcut>
 #include <QStatusBar>
+#include <QUrl>
 
 namespace moldwright {
 
@@ -47,7 +52,12 @@ void MainWindow::connectActions() {
 
 void MainWindow::connectFileActions() {
     m_actions.on(u"open"_s, [this] { chooseFileToOpen(); });
-    m_actions.on(u"start-page"_s, [this] { m_bench.closePart(); });
+    m_actions.on(u"start-page"_s, [this] {
+        if (mayClose())
+            m_bench.closePart();
+    });
+    m_actions.on(u"save"_s, [this] { save(); });
+    m_actions.on(u"save-as"_s, [this] { saveAs(); });
     m_actions.on(u"export-cast"_s, [this] { chooseFileToExport(); });
     m_actions.on(u"export-mold"_s, [this] { chooseFolderForMold(); });
     m_actions.on(u"quit"_s, [this] { close(); });
@@ -92,6 +102,7 @@ void MainWindow::connectViewActions() {
 void MainWindow::connectPartActions() {
     m_actions.on(u"lay-flat"_s, [this] {
         m_view->setPickingFaces(m_actions[u"lay-flat"_s]->isChecked());
+        refreshSoon();
         if (m_view->pickingFaces() && m_bench.castShown())
             m_bench.restoreShape();
     });
@@ -114,6 +125,7 @@ void MainWindow::connectPartActions() {
     m_actions.on(u"stop"_s, [this] { m_bench.stop(); });
     m_actions.on(u"restore"_s, [this] { m_bench.restoreShape(); });
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
+    m_actions.on(u"print-report"_s, [this] { chooseFileForReport(); });
     m_actions.on(u"open-mold"_s, [this] {
         select(u"mold"_s);
         m_viewBar->easeOpening(m_viewBar->opening() > 0.5 ? 0 : 1);
@@ -166,6 +178,10 @@ void MainWindow::connectBench() {
                         QMessageBox::Close, this)
                 .exec();
     });
+    connect(&m_bench, &Workbench::saved, this,
+            [this] { m_savedLabel->setText(tr("Saved %1").arg(QTime::currentTime().toString(u"HH:mm"_s))); });
+    connect(&m_bench, &Workbench::reportWritten, this,
+            [](const QString& file) { QDesktopServices::openUrl(QUrl::fromLocalFile(file)); });
     connect(&m_bench, &Workbench::moldBuilt, this, [this] {
         select(u"mold"_s);
         refresh();
@@ -227,12 +243,60 @@ void MainWindow::connectPanels() {
 }
 
 void MainWindow::openPath(const QString& file) {
-    m_bench.openFile(file);
+    if (mayClose())
+        m_bench.openFile(file);
+}
+
+void MainWindow::save() {
+    const QString file = m_bench.document().file();
+    if (file.isEmpty())
+        saveAs();
+    else
+        m_bench.save(file, thumbnail());
+}
+
+void MainWindow::saveAs() {
+    const QString name = QString::fromStdString(m_bench.project().name) + u".moldwright"_s;
+    QString file =
+        QFileDialog::getSaveFileName(this, tr("Save the project"), preferences::folder() + u'/' + name,
+                                     tr("Moldwright projects (*.moldwright)"));
+    if (file.isEmpty())
+        return;
+    if (QFileInfo(file).suffix() != u"moldwright"_s)
+        file += u".moldwright"_s;
+    preferences::setFolderOf(file);
+    m_bench.save(file, thumbnail());
+}
+
+QByteArray MainWindow::thumbnail() {
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    m_view->grabFramebuffer()
+        .scaled(256, 192, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+        .save(&buffer, "PNG");
+    return png;
+}
+
+bool MainWindow::mayClose() {
+    if (!m_bench.project().part || !m_bench.document().isChanged())
+        return true;
+    QMessageBox box(this);
+    box.setWindowTitle(tr("Moldwright"));
+    box.setText(tr("%1 has changes that are not saved.").arg(QString::fromStdString(m_bench.project().name)));
+    const QAbstractButton* saveButton = box.addButton(tr("Save"), QMessageBox::AcceptRole);
+    const QAbstractButton* discard = box.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
+    box.addButton(tr("Keep it open"), QMessageBox::RejectRole);
+    box.exec();
+    if (box.clickedButton() == saveButton)
+        save();
+    return box.clickedButton() == discard;
 }
 
 void MainWindow::chooseFileToOpen() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Open a part"), preferences::folder(),
-                                                      tr("Parts (*.stl *.obj *.ply *.off);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Open a part"), preferences::folder(),
+        tr("Parts and projects (*.stl *.obj *.ply *.off *.moldwright);;All files (*)"));
     if (file.isEmpty())
         return;
     preferences::setFolderOf(file);
@@ -255,6 +319,16 @@ void MainWindow::chooseFolderForMold() {
         QFileDialog::getExistingDirectory(this, tr("Folder for the halves"), preferences::folder());
     if (!folder.isEmpty())
         m_bench.exportMold(folder);
+}
+
+void MainWindow::chooseFileForReport() {
+    const QString name = QString::fromStdString(m_bench.project().name) + u".pdf"_s;
+    const QString file = QFileDialog::getSaveFileName(this, tr("Print the report"),
+                                                      preferences::folder() + u'/' + name, tr("PDF (*.pdf)"));
+    if (file.isEmpty())
+        return;
+    preferences::setFolderOf(file);
+    m_bench.writeReport(file);
 }
 
 void MainWindow::askUnit(const OpenedMesh& opened) {
@@ -326,6 +400,7 @@ void MainWindow::escape() {
         return;
     m_actions[u"lay-flat"_s]->setChecked(false);
     m_view->setPickingFaces(false);
+    refreshSoon();
 }
 
 } // namespace moldwright

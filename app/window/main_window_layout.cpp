@@ -155,14 +155,16 @@ void MainWindow::buildDocks() {
     addDockWidget(Qt::RightDockWidgetArea, properties);
     addDockWidget(Qt::BottomDockWidgetArea, progress);
     splitDockWidget(progress, messages, Qt::Horizontal);
-    tabifyDockWidget(messages, history);
-    messages->raise();
+    tabifyDockWidget(progress, history);
+    progress->raise();
     m_docks = {project, properties, progress, messages, history};
     for (Dock* dock : m_docks) {
         QAction* toggle = dock->toggleViewAction();
         toggle->setProperty("wanted", true);
         m_dockMenu->addAction(toggle);
         connect(toggle, &QAction::triggered, this, [toggle](bool on) { toggle->setProperty("wanted", on); });
+        connect(dock, &QDockWidget::topLevelChanged, this, &MainWindow::refreshSoon);
+        connect(dock, &QDockWidget::dockLocationChanged, this, &MainWindow::refreshSoon);
         connect(dock, &Dock::closed, this, [toggle] { toggle->setProperty("wanted", false); });
     }
     resizeDocks({project, properties}, {260, 304}, Qt::Horizontal);
@@ -174,9 +176,15 @@ void MainWindow::buildDocks() {
 void MainWindow::buildStatusBar() {
     statusBar()->setFixedHeight(26);
     statusBar()->setSizeGripEnabled(false);
+    m_hint = new QLabel(this);
+    m_hint->setContentsMargins(8, 0, 0, 0);
+    statusBar()->addWidget(m_hint, 1);
     statusBar()->addPermanentWidget(new StatusProgress(m_bench.background(), this));
     const scene::NavigationScheme& scheme = scene::navigationScheme(preferences::navigation().toStdString());
     m_navigationLabel = new QLabel(tr("Navigation: %1").arg(QString::fromStdString(scheme.name)), this);
+    m_savedLabel = new QLabel(this);
+    m_savedLabel->setForegroundRole(QPalette::PlaceholderText);
+    statusBar()->addPermanentWidget(m_savedLabel);
     m_navigationLabel->setForegroundRole(QPalette::PlaceholderText);
     statusBar()->addPermanentWidget(m_navigationLabel);
     auto* units = new QLabel(u"mm, °"_s, this);

@@ -104,7 +104,8 @@ std::array<StepState, stepCount> stepStates(const Workbench& bench) {
     states[int(Step::Deform)] = deformState(bench);
     states[int(Step::Check)] = checkState(bench);
     states[int(Step::Mold)] = moldState(bench);
-    states[int(Step::Report)] = {Standing::Todo, tr("Not started")};
+    states[int(Step::Report)] = {Standing::Todo,
+                                 project.cast ? tr("Ready to print") : tr("Waits for Deform")};
     return states;
 }
 

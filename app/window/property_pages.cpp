@@ -35,6 +35,11 @@ Property reading(const QString& id, const QString& label, const QString& help = 
     return {id, label, help, ReadingProperty{}};
 }
 
+/// A reading in a section where goals stand beside the values.
+Property goalReading(const QString& id, const QString& label, const QString& help = {}) {
+    return {id, label, help, ReadingProperty{true}};
+}
+
 PropertySection draftGoal() {
     return {tr("Goal"),
             {number(u"draft"_s, tr("Draft required"),
@@ -85,12 +90,13 @@ PropertyPage planePage(const Workbench&, const Actions& actions) {
                  {u"°"_s, 0, 60, 1, 0, true})},
          {actions[u"best-directions"_s], actions[u"normal-directions"_s]},
          false});
-    page.sections.push_back({tr("Measured"),
-                             {reading(u"worst"_s, tr("Worst draft")), reading(u"below"_s, tr("Area below")),
-                              reading(u"tilt1"_s, tr("Direction 1"), tr("Angle to the plane's normal.")),
-                              reading(u"tilt2"_s, tr("Direction 2"), tr("Angle to the plane's normal."))},
-                             {},
-                             false});
+    page.sections.push_back(
+        {tr("Measured"),
+         {goalReading(u"worst"_s, tr("Worst draft")), goalReading(u"below"_s, tr("Area below")),
+          goalReading(u"tilt1"_s, tr("Direction 1"), tr("Angle to the plane's normal.")),
+          goalReading(u"tilt2"_s, tr("Direction 2"), tr("Angle to the plane's normal."))},
+         {},
+         false});
     return page;
 }
 
@@ -109,13 +115,14 @@ PropertyPage deformPage(const Workbench&, const Actions& actions) {
                  {u"°"_s, 0, 60, 1, 0, true})},
          {actions[u"run"_s], actions[u"stop"_s], actions[u"restore"_s]},
          true});
-    page.sections.push_back({tr("Measured"),
-                             {reading(u"worst"_s, tr("Worst draft")), reading(u"below"_s, tr("Area below")),
-                              reading(u"energy"_s, tr("Energy")), reading(u"volume"_s, tr("Volume")),
-                              reading(u"distance"_s, tr("Mean distance"),
-                                      tr("To the part, over its diagonal, after the best rigid fit."))},
-                             {},
-                             false});
+    page.sections.push_back(
+        {tr("Measured"),
+         {goalReading(u"worst"_s, tr("Worst draft")), goalReading(u"below"_s, tr("Area below")),
+          goalReading(u"energy"_s, tr("Energy")), goalReading(u"volume"_s, tr("Volume")),
+          goalReading(u"distance"_s, tr("Mean distance"),
+                      tr("To the part, over its diagonal, after the best rigid fit."))},
+         {},
+         false});
     return page;
 }
 
@@ -145,17 +152,18 @@ PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
 
 PropertyPage castPage(const Workbench&, const Actions& actions) {
     PropertyPage page{u"cast"_s, u"result"_s, tr("Cast"), tr("What will come out of the mold."), {}};
-    page.sections.push_back({tr("Castability"),
-                             {reading(u"worst"_s, tr("Worst draft")), reading(u"below"_s, tr("Area below")),
-                              reading(u"crossing"_s, tr("Self-intersections")),
-                              reading(u"curve"_s, tr("Parting curve")), reading(u"proof"_s, tr("Proved"))},
-                             {actions[u"build-mold"_s], actions[u"export-cast"_s], actions[u"restore"_s]},
-                             true});
+    page.sections.push_back(
+        {tr("Castability"),
+         {goalReading(u"worst"_s, tr("Worst draft")), goalReading(u"below"_s, tr("Area below")),
+          goalReading(u"crossing"_s, tr("Self-intersections")), goalReading(u"curve"_s, tr("Parting curve")),
+          goalReading(u"proof"_s, tr("Proved"))},
+         {actions[u"build-mold"_s], actions[u"export-cast"_s], actions[u"restore"_s]},
+         true});
     page.sections.push_back({tr("Kept from the part"),
-                             {reading(u"distance"_s, tr("Mean distance"),
-                                      tr("Over the part's diagonal, after the best rigid fit.")),
-                              reading(u"volume"_s, tr("Volume")),
-                              reading(u"limb"_s, tr("Shortest limb"), tr("Length, cast over part."))},
+                             {goalReading(u"distance"_s, tr("Mean distance"),
+                                          tr("Over the part's diagonal, after the best rigid fit.")),
+                              goalReading(u"volume"_s, tr("Volume")),
+                              goalReading(u"limb"_s, tr("Shortest limb"), tr("Length, cast over part."))},
                              {},
                              false});
     return page;

@@ -4,10 +4,11 @@
 #include "window/action_table.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
-#include <QLayout>
 #include <QSlider>
 #include <QStyle>
+#include <QToolButton>
 #include <QVariantAnimation>
 
 #include <cmath>
@@ -21,6 +22,14 @@ namespace {
 constexpr int openingSteps = 1000;
 constexpr int openingMilliseconds = 700;
 
+QFrame* divider(QWidget* parent) {
+    auto* line = new QFrame(parent);
+    line->setFixedSize(1, 20);
+    line->setAutoFillBackground(true);
+    line->setBackgroundRole(QPalette::Midlight);
+    return line;
+}
+
 QLabel* barLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setForegroundRole(QPalette::PlaceholderText);
@@ -30,15 +39,15 @@ QLabel* barLabel(const QString& text, QWidget* parent) {
 
 } // namespace
 
-ViewBar::ViewBar(const Actions& actions, QWidget* parent) : QToolBar(parent) {
-    setIconSize({20, 20});
+ViewBar::ViewBar(const Actions& actions, QWidget* parent) : QFrame(parent) {
     setFixedHeight(36);
-    setMovable(false);
     setAccessibleName(tr("Tools of the view"));
-    layout()->setContentsMargins(6, 0, 6, 0);
-    addAction(actions[u"lay-flat"_s]);
-    addSeparator();
-    addWidget(barLabel(tr("Show"), this));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 0, 8, 0);
+    row->setSpacing(4);
+    addTool(actions[u"lay-flat"_s], row);
+    row->addWidget(divider(this));
+    row->addWidget(barLabel(tr("Show"), this));
     m_mode = new QComboBox(this);
     m_mode->addItems({tr("Undercuts"), tr("Draft map"), tr("Plain")});
     m_mode->setFixedHeight(24);
@@ -47,24 +56,33 @@ ViewBar::ViewBar(const Actions& actions, QWidget* parent) : QToolBar(parent) {
     m_mode->setObjectName(u"display-mode"_s);
     connect(m_mode, &QComboBox::activated, this,
             [this](int index) { Q_EMIT modeChosen(static_cast<DisplayMode>(index)); });
-    addWidget(m_mode);
-    addSeparator();
+    row->addWidget(m_mode);
+    row->addWidget(divider(this));
     for (const QString& id : {u"show-plane"_s, u"show-directions"_s, u"show-edges"_s, u"see-through"_s})
-        addAction(actions[id]);
-    m_moldParts << addSeparator() << addWidget(barLabel(tr("Mold closed"), this));
+        addTool(actions[id], row);
     m_opening = new QSlider(Qt::Horizontal, this);
     m_opening->setRange(0, openingSteps);
     m_opening->setFixedWidth(140);
     m_opening->setAccessibleName(tr("How far the mold is open"));
     m_opening->setObjectName(u"opening"_s);
     connect(m_opening, &QSlider::valueChanged, this, [this] { Q_EMIT openingChanged(opening()); });
-    m_moldParts << addWidget(m_opening) << addWidget(barLabel(tr("open"), this));
-    auto* room = new QWidget(this);
-    room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    addWidget(room);
+    m_moldParts = {divider(this), barLabel(tr("Mold closed"), this), m_opening, barLabel(tr("open"), this)};
+    for (QWidget* part : m_moldParts)
+        row->addWidget(part);
+    row->addStretch(1);
     for (const QString& id : {u"fit"_s, u"perspective"_s, u"screenshot"_s})
-        addAction(actions[id]);
+        addTool(actions[id], row);
     setMoldShown(false);
+}
+
+void ViewBar::addTool(QAction* action, QHBoxLayout* row) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setIconSize({20, 20});
+    button->setFixedSize(28, 28);
+    button->setAutoRaise(true);
+    button->setAccessibleName(action->text().remove(u'&'));
+    row->addWidget(button);
 }
 
 void ViewBar::setMode(DisplayMode mode) {
@@ -72,7 +90,7 @@ void ViewBar::setMode(DisplayMode mode) {
 }
 
 void ViewBar::setMoldShown(bool shown) {
-    for (QAction* part : m_moldParts)
+    for (QWidget* part : m_moldParts)
         part->setVisible(shown);
 }
 

@@ -3,9 +3,11 @@
 
 #include "window/presentation.h"
 
-#include <QToolBar>
+#include <QFrame>
 
+class QAction;
 class QComboBox;
+class QHBoxLayout;
 class QSlider;
 
 namespace moldwright {
@@ -13,7 +15,7 @@ namespace moldwright {
 class Actions;
 
 /// The tool bar above the view: tools and display left, camera right, and the slider that opens the mold.
-class ViewBar : public QToolBar {
+class ViewBar : public QFrame {
     Q_OBJECT
 public:
     ViewBar(const Actions& actions, QWidget* parent = nullptr);
@@ -29,9 +31,11 @@ Q_SIGNALS:
     void openingChanged(double opening);
 
 private:
+    void addTool(QAction* action, QHBoxLayout* row);
+
     QComboBox* m_mode;
     QSlider* m_opening;
-    QList<QAction*> m_moldParts;
+    QList<QWidget*> m_moldParts;
 };
 
 } // namespace moldwright

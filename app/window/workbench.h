@@ -69,8 +69,12 @@ public:
     void openSample(const QString& file, const QString& name);
     void take(const OpenedMesh& opened, Unit unit, double scale);
     void closePart();
+    /// Saves the project; `thumbnail` is a PNG of the view.
+    void save(const QString& file, const QByteArray& thumbnail);
     void exportShape(const QString& file);
     void exportMold(const QString& folder);
+    /// Has moldwright-render write the report as a PDF.
+    void writeReport(const QString& file);
 
     // The part
     void setPlacement(const Placement& placement, const QString& words, const QString& mergeKey = {});
@@ -103,8 +107,12 @@ Q_SIGNALS:
     void unitAsked(const moldwright::OpenedMesh& opened);
     void problem(const QString& headline, const QString& text);
     void moldBuilt();
+    void saved();
+    void reportWritten(const QString& file);
 
 private:
+    void show(const Project& project, const QString& file);
+    void readProject(const QString& file);
     void readFile(const QString& file, const QString& name, bool sample);
     void takeResult(const Result<DesignResult>& result, const Project& from);
     void pullFrames();

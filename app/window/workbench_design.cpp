@@ -3,6 +3,7 @@
 #include "window/workbench.h"
 
 #include "castability/directions.h"
+#include "design/parting.h"
 #include "project/edits.h"
 #include "window/sentence.h"
 
@@ -17,6 +18,29 @@ PlaneSearch searchFor(const DesignSettings& settings) {
     search.normalDirections = settings.directionsChoice == DirectionsChoice::Normal;
     search.seed = settings.seed;
     return search;
+}
+
+constexpr int planesSearched = 40;
+constexpr int planesOffered = 6;
+
+/// The best planes at which the part can be bent to castable; where none is, the best ones all the same.
+std::vector<PlaneCandidate> workablePlanes(const IndexedMesh& part, const DesignSettings& settings,
+                                           const Task& task) {
+    PlaneSearch search = searchFor(settings);
+    search.count = planesSearched;
+    std::vector<PlaneCandidate> found = findPlanes(part, search, task);
+    std::vector<PlaneCandidate> workable;
+    for (const PlaneCandidate& plane : found) {
+        if (task.stopped() || workable.size() == planesOffered)
+            break;
+        if (planePasses(part, plane.state))
+            workable.push_back(plane);
+    }
+    if (workable.empty()) {
+        found.resize(std::min<std::size_t>(found.size(), planesOffered));
+        return found;
+    }
+    return workable;
 }
 
 DesignRequest requestFor(const Project& project) {
@@ -43,7 +67,7 @@ DesignRequest requestFor(const Project& project) {
 void Workbench::findBestPlane() {
     const Project from = m_document.committed();
     m_background.start(tr("Searching planes"), [=, this](const Task& task) -> Background::Finish {
-        const std::vector<PlaneCandidate> found = findPlanes(*from.part, searchFor(from.design), task);
+        const std::vector<PlaneCandidate> found = workablePlanes(*from.part, from.design, task);
         const bool stopped = task.stopped();
         return [=, this] {
             if (stopped || found.empty()) {

@@ -5,6 +5,7 @@
 #include "mesh/measures.h"
 #include "mold/mold_files.h"
 #include "project/edits.h"
+#include "project/project_file.h"
 #include "window/preferences.h"
 
 #include <QDir>
@@ -37,16 +38,65 @@ MoldState levelPlane(const IndexedMesh& part) {
 } // namespace
 
 void Workbench::openFile(const QString& file) {
-    readFile(file, QFileInfo(file).completeBaseName(), false);
+    if (m_background.busy())
+        return;
+    if (QFileInfo(file).suffix().toLower() == QStringLiteral("moldwright"))
+        readProject(file);
+    else
+        readFile(file, QFileInfo(file).completeBaseName(), false);
 }
 
 void Workbench::openSample(const QString& file, const QString& name) {
-    readFile(file, name, true);
+    if (!m_background.busy())
+        readFile(file, name, true);
+}
+
+void Workbench::readProject(const QString& file) {
+    m_background.start(
+        tr("Opening %1").arg(QFileInfo(file).fileName()), [=, this](const Task&) -> Background::Finish {
+            auto stored = std::make_shared<Result<StoredProject>>(openProject(file.toStdString()));
+            return [=, this] {
+                if (!*stored) {
+                    complain(stored->error(), tr("Opening"));
+                    return;
+                }
+                show((*stored)->project, file);
+                preferences::addRecentFile(file);
+                say(Standing::Done, tr("%1 opened.").arg(QFileInfo(file).fileName()));
+            };
+        });
+}
+
+void Workbench::show(const Project& project, const QString& file) {
+    m_candidates.clear();
+    m_candidate = -1;
+    m_progress.clear();
+    m_mold.reset();
+    m_moldCast.reset();
+    m_document.open(project, file);
+    Q_EMIT partOpened();
+}
+
+void Workbench::save(const QString& file, const QByteArray& thumbnail) {
+    const Project project = m_document.committed();
+    const std::size_t done = m_document.history().done();
+    m_background.start(tr("Saving %1").arg(QFileInfo(file).fileName()),
+                       [=, this](const Task&) -> Background::Finish {
+                           const Result<void> written =
+                               saveProject(file.toStdString(), {project, {}, thumbnail.toStdString()});
+                           return [=, this] {
+                               if (!written) {
+                                   complain(written.error(), tr("Saving"));
+                                   return;
+                               }
+                               m_document.markSaved(file, done);
+                               preferences::addRecentFile(file);
+                               Q_EMIT saved();
+                           };
+                       });
 }
 
 void Workbench::readFile(const QString& file, const QString& name, bool sample) {
-    if (m_background.busy())
-        return;
     m_background.start(tr("Opening %1").arg(QFileInfo(file).fileName()),
                        [=, this](const Task& task) -> Background::Finish {
                            const Result<ReadMesh> read = readMesh(file.toStdString(), task);
@@ -72,10 +122,7 @@ void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
     Project project = withPart(m_document.committed(), opened.name.toStdString(), opened.file.toStdString(),
                                source, {unit, scale, Eigen::Isometry3d::Identity()});
     project = withState(project, levelPlane(*project.part), false);
-    m_candidates.clear();
-    m_candidate = -1;
-    m_progress.clear();
-    m_document.open(project, {});
+    show(project, {});
     if (!opened.file.isEmpty())
         preferences::addRecentFile(opened.file);
     const Eigen::Vector3d size = boundingBox(*project.part).sizes();
@@ -84,7 +131,6 @@ void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
                             .arg(size.x(), 0, 'f', 1)
                             .arg(size.y(), 0, 'f', 1)
                             .arg(size.z(), 0, 'f', 1));
-    Q_EMIT partOpened();
 }
 
 void Workbench::closePart() {

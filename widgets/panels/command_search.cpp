@@ -99,7 +99,8 @@ void CommandSearch::keyPressEvent(QKeyEvent* event) {
 
 void CommandSearch::focusInEvent(QFocusEvent* event) {
     QLineEdit::focusInEvent(event);
-    list();
+    if (event->reason() == Qt::ShortcutFocusReason || event->reason() == Qt::MouseFocusReason)
+        list();
 }
 
 void CommandSearch::focusOutEvent(QFocusEvent* event) {

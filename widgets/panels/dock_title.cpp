@@ -28,6 +28,9 @@ Dock::Dock(const QString& name, const QString& title, QWidget* content, QWidget*
     : QDockWidget(title, parent) {
     setObjectName(name);
     auto* bar = new QWidget(this);
+    m_title = bar;
+    m_noTitle = new QWidget(this);
+    m_noTitle->hide();
     bar->setFixedHeight(28);
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(10, 0, 4, 0);
@@ -49,6 +52,15 @@ Dock::Dock(const QString& name, const QString& title, QWidget* content, QWidget*
     connect(this, &QDockWidget::windowTitleChanged, label, &QLabel::setText);
     setTitleBarWidget(bar);
     setWidget(content);
+}
+
+void Dock::setTitleShown(bool shown) {
+    QWidget* wanted = shown ? m_title : m_noTitle;
+    if (titleBarWidget() == wanted)
+        return;
+    titleBarWidget()->hide();
+    setTitleBarWidget(wanted);
+    wanted->show();
 }
 
 } // namespace moldwright

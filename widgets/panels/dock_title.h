@@ -12,9 +12,16 @@ class Dock : public QDockWidget {
 public:
     Dock(const QString& name, const QString& title, QWidget* content, QWidget* parent);
 
+    /// Without its title: for docks whose tab says it.
+    void setTitleShown(bool shown);
+
 Q_SIGNALS:
     /// The user closed it.
     void closed();
+
+private:
+    QWidget* m_title;
+    QWidget* m_noTitle;
 };
 
 } // namespace moldwright

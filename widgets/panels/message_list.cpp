@@ -14,6 +14,11 @@ namespace {
 constexpr int textLeft = 72;
 constexpr int linkWidth = 84;
 
+/// Room for a message's text in a list this wide.
+int textWidth(int listWidth, const SessionMessage& message) {
+    return std::max(80, listWidth - textLeft - 12 - (message.place.isEmpty() ? 0 : linkWidth));
+}
+
 /// Icon, time, text over as many lines as it needs, and the link at the right.
 class MessageDelegate : public QStyledItemDelegate {
     Q_DECLARE_TR_FUNCTIONS(MessageDelegate)
@@ -22,7 +27,8 @@ public:
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
                                  const QModelIndex& index) const override {
-        const int width = std::max(80, option.widget->width() - textLeft - linkWidth - 16);
+        const auto* list = static_cast<const QListView*>(option.widget);
+        const int width = textWidth(list->viewport()->width(), m_model->at(index.row()));
         const QRect box = option.fontMetrics.boundingRect(0, 0, width, 1000, Qt::TextWordWrap,
                                                           m_model->at(index.row()).text);
         return {width, std::max(24, box.height() + 8)};
@@ -42,7 +48,9 @@ public:
         painter->drawText(QRect(r.left() + 34, r.top() + 4, 40, 16), Qt::AlignLeft | Qt::AlignVCenter,
                           message.time.toString(QStringLiteral("HH:mm")));
         painter->setPen(palette.color(QPalette::Text));
-        painter->drawText(r.adjusted(textLeft, 4, -linkWidth - 12, -4), Qt::TextWordWrap, message.text);
+        painter->drawText(
+            QRect(r.left() + textLeft, r.top() + 4, textWidth(r.width(), message), r.height() - 8),
+            Qt::TextWordWrap, message.text);
         if (!message.place.isEmpty()) {
             painter->setPen(palette.color(QPalette::Link));
             painter->drawText(QRect(r.right() - linkWidth - 10, r.top() + 4, linkWidth, 16),

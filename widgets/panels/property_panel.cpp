@@ -129,7 +129,7 @@ void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* colu
                               ? makeNumber(property, std::get<NumberProperty>(property.kind), row)
                           : std::holds_alternative<ChoiceProperty>(property.kind)
                               ? makeChoice(property, std::get<ChoiceProperty>(property.kind), row)
-                              : makeReading(row);
+                              : makeReading(std::get<ReadingProperty>(property.kind), row);
         auto* label = makeLabel(property.label, this, false);
         label->setToolTip(property.help);
         label->setBuddy(row.field ? static_cast<QWidget*>(row.field) : row.choice);
@@ -206,7 +206,7 @@ QWidget* PropertyPanel::makeChoice(const Property& property, const ChoicePropert
     return row.choice;
 }
 
-QWidget* PropertyPanel::makeReading(Row& row) {
+QWidget* PropertyPanel::makeReading(const ReadingProperty& reading, Row& row) {
     auto* editor = new QWidget(this);
     auto* line = new QHBoxLayout(editor);
     line->setContentsMargins(0, 0, 0, 0);
@@ -217,7 +217,8 @@ QWidget* PropertyPanel::makeReading(Row& row) {
     row.goal = makeLabel({}, editor, false);
     row.goal->setForegroundRole(QPalette::PlaceholderText);
     row.goal->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row.goal->setMinimumWidth(48);
+    row.goal->setMinimumWidth(reading.withGoal ? 48 : 0);
+    row.goal->setVisible(reading.withGoal);
     line->addWidget(row.reading, 1);
     line->addWidget(row.goal);
     return editor;

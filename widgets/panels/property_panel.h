@@ -34,7 +34,9 @@ struct ChoiceProperty {
 };
 
 /// A measured value with the goal beside it. Values are given as QStringList {value, goal}.
-struct ReadingProperty {};
+struct ReadingProperty {
+    bool withGoal = false;
+};
 
 /// One row of the panel.
 struct Property {
@@ -97,7 +99,7 @@ private:
     void addSection(const PropertySection& section, QVBoxLayout* column);
     QWidget* makeNumber(const Property& property, const NumberProperty& number, Row& row);
     QWidget* makeChoice(const Property& property, const ChoiceProperty& choice, Row& row);
-    QWidget* makeReading(Row& row);
+    QWidget* makeReading(const ReadingProperty& reading, Row& row);
     void addButtons(const PropertySection& section, QVBoxLayout* column);
     void connectSlider(const QString& id, const Row& row);
 

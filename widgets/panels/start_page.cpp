@@ -21,7 +21,7 @@ namespace moldwright {
 namespace {
 
 constexpr int leftWidth = 340;
-constexpr int cardWidth = 236;
+constexpr int cardWidth = 232;
 constexpr int cardHeight = 248;
 constexpr int pictureHeight = 198;
 

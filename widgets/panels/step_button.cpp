@@ -48,7 +48,7 @@ void StepButton::setNarrow(bool narrow) {
 QFont StepButton::nameFont() const {
     QFont font = this->font();
     font.setPixelSize(13);
-    font.setBold(isChecked());
+    font.setBold(isChecked() && isEnabled());
     return font;
 }
 
@@ -71,7 +71,7 @@ QSize StepButton::sizeHint() const {
 void StepButton::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const Theme& t = theme();
-    if (isChecked()) {
+    if (isChecked() && isEnabled()) {
         painter.fillRect(rect().adjusted(0, 4, 0, 0), t.accentSoft);
         painter.fillRect(0, height() - 3, width(), 3, t.palette.color(QPalette::Highlight));
     } else if (underMouse() && isEnabled()) {

@@ -50,8 +50,8 @@ MeshLayer::MeshLayer() {
     m_actor->SetMapper(m_mapper);
     vtkProperty* look = m_actor->GetProperty();
     look->SetInterpolationToPhong();
-    look->SetAmbient(0.12);
-    look->SetDiffuse(0.86);
+    look->SetAmbient(0.22);
+    look->SetDiffuse(0.88);
     look->SetSpecular(0.10);
     look->SetSpecularPower(24);
     look->SetEdgeColor(0.25, 0.28, 0.32);

@@ -135,8 +135,10 @@ void Overlay::arrange(const Camera& camera, ViewSize view) {
     for (std::size_t i = 0; i < m_chips.size(); ++i) {
         OverlayPanel& panel = *m_chipPanels[i];
         const Eigen::Vector3d pixel = camera.project(m_chips[i].place, view);
-        Spot spot{pixel.x() + 14 * m_scale, view.height - pixel.y() - panel.height() / 2, panel.width(),
-                  panel.height()};
+        // Away from the middle, so that the arrow it belongs to stays free.
+        const bool leftwards = pixel.x() < view.width / 2;
+        Spot spot{leftwards ? pixel.x() - 14 * m_scale - panel.width() : pixel.x() + 14 * m_scale,
+                  view.height - pixel.y() - panel.height() / 2, panel.width(), panel.height()};
         spot.left = std::clamp(spot.left, gap, std::max(gap, view.width - panel.width() - gap));
         spot.bottom = std::clamp(spot.bottom, gap, std::max(gap, view.height - panel.height() - gap));
         for (const Spot& other : taken)

@@ -8,7 +8,7 @@ namespace moldwright::scene {
 
 namespace {
 
-constexpr double overhang = 1.08;
+constexpr double overhang = 0.12; ///< of the longer half side
 
 double rounded(double value, double step, bool coarse) {
     return coarse ? std::round(value / step) * step : value;
@@ -30,18 +30,22 @@ double alongNormal(const PlaneDrag& drag, const Camera& camera, ViewSize view, d
 
 } // namespace
 
-PlaneRectangle planeRectangle(const PartingPlane& plane, const Eigen::AlignedBox3d& box) {
+PlaneRectangle planeRectangle(const PartingPlane& plane, const Points& points) {
     PlaneRectangle rectangle;
     const Eigen::Vector3d& n = plane.normal;
-    const Eigen::Vector3d helper =
+    const Eigen::Vector3d seed =
         std::abs(n.z()) < 0.9 ? Eigen::Vector3d::UnitZ().eval() : Eigen::Vector3d::UnitY().eval();
-    rectangle.u = helper.cross(n).normalized();
+    rectangle.u = seed.cross(n).normalized();
     rectangle.v = n.cross(rectangle.u);
-    const Eigen::Vector3d middle = box.isEmpty() ? Eigen::Vector3d::Zero().eval() : box.center().eval();
-    rectangle.centre = middle - plane.distance(middle) * n;
-    const Eigen::Vector3d half = box.isEmpty() ? Eigen::Vector3d::Ones().eval() : (box.sizes() / 2).eval();
-    rectangle.halfU = overhang * half.dot(rectangle.u.cwiseAbs());
-    rectangle.halfV = overhang * half.dot(rectangle.v.cwiseAbs());
+    if (points.rows() == 0)
+        return rectangle;
+    const Eigen::VectorXd s = points * rectangle.u;
+    const Eigen::VectorXd t = points * rectangle.v;
+    rectangle.centre = plane.offset * n + (s.minCoeff() + s.maxCoeff()) / 2 * rectangle.u +
+                       (t.minCoeff() + t.maxCoeff()) / 2 * rectangle.v;
+    const double larger = overhang * std::max(s.maxCoeff() - s.minCoeff(), t.maxCoeff() - t.minCoeff()) / 2;
+    rectangle.halfU = (s.maxCoeff() - s.minCoeff()) / 2 + larger;
+    rectangle.halfV = (t.maxCoeff() - t.minCoeff()) / 2 + larger;
     return rectangle;
 }
 

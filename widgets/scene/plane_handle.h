@@ -2,6 +2,7 @@
 #pragma once
 
 #include "castability/mold_state.h"
+#include "mesh/indexed_mesh.h"
 #include "scene/camera.h"
 
 #include <Eigen/Geometry>
@@ -25,8 +26,8 @@ struct PlaneRectangle {
     }
 };
 
-/// The rectangle for `plane` about a part with this box, a little larger than the part.
-[[nodiscard]] PlaneRectangle planeRectangle(const PartingPlane& plane, const Eigen::AlignedBox3d& box);
+/// The rectangle in `plane` that the shadow of these points along the normal fills, a little larger.
+[[nodiscard]] PlaneRectangle planeRectangle(const PartingPlane& plane, const Points& points);
 
 /// What can be taken hold of on the plane: its corner slides it along its normal, its edges tilt it.
 enum class PlaneGrip { Slide, TiltAboutV, TiltAboutU };

@@ -14,8 +14,9 @@ namespace moldwright::scene {
 
 namespace {
 
-constexpr double arrowShare = 0.2; ///< of the part's diagonal
-constexpr double openShare = 0.9;  ///< of the part's diagonal, each half
+constexpr double arrowShare = 0.17; ///< of the part's diagonal
+constexpr double arrowGap = 0.03;
+constexpr double openShare = 0.9; ///< of the part's diagonal, each half
 
 /// Three lights that turn with the camera: a soft key from above left, fill from the right, a little rim.
 void addLights(vtkRenderer* renderer) {
@@ -25,7 +26,7 @@ void addLights(vtkRenderer* renderer) {
     renderer->RemoveAllLights();
     renderer->AutomaticLightCreationOff();
     for (const Lamp lamp :
-         {Lamp{-0.5, 0.9, 1.0, 0.72}, Lamp{0.9, 0.1, 0.8, 0.34}, Lamp{0, -0.8, 0.5, 0.12}}) {
+         {Lamp{-0.5, 0.8, 1.0, 0.82}, Lamp{0.9, 0.2, 0.9, 0.36}, Lamp{0, -0.9, 0.4, 0.18}}) {
         vtkNew<vtkLight> light;
         light->SetLightTypeToCameraLight();
         light->SetPosition(lamp.x, lamp.y, lamp.z);
@@ -40,6 +41,7 @@ void addLights(vtkRenderer* renderer) {
 Scene::Scene() {
     m_renderer->SetLayer(0);
     m_renderer->GradientBackgroundOn();
+    m_renderer->UseFXAAOn();
     m_renderer->AddActor(m_surface.actor());
     m_renderer->AddActor(m_half1.actor());
     m_renderer->AddActor(m_half2.actor());
@@ -132,16 +134,18 @@ void Scene::placePlane() {
 }
 
 PlaneRectangle Scene::rectangle() const {
-    return planeRectangle(m_state ? m_state->plane : PartingPlane{}, m_surfaceBox);
+    return planeRectangle(m_state ? m_state->plane : PartingPlane{},
+                          m_surface.mesh() ? m_surface.mesh()->V : Points());
 }
 
 Eigen::Vector3d Scene::arrowTail(int side) const {
+    if (!m_surface.mesh())
+        return Eigen::Vector3d::Zero();
     const Eigen::Vector3d& d = m_state->directions.of(side);
-    // Half the part's extent along d, so that the arrow always starts just outside it.
-    const double reach = m_surfaceBox.isEmpty() ? 0 : m_surfaceBox.sizes().dot(d.cwiseAbs()) / 2;
-    const Eigen::Vector3d middle =
-        m_surfaceBox.isEmpty() ? Eigen::Vector3d::Zero().eval() : m_surfaceBox.center().eval();
-    return middle + 1.08 * reach * d;
+    const Eigen::Vector3d middle = m_surfaceBox.center();
+    // Just outside the part, however it lies.
+    const double reach = (m_surface.mesh()->V * d).maxCoeff() - middle.dot(d);
+    return middle + (reach + arrowGap * m_surfaceBox.sizes().norm()) * d;
 }
 
 Eigen::Vector3d Scene::arrowTip(int side) const {
@@ -201,10 +205,6 @@ Eigen::AlignedBox3d Scene::box() const {
         all.extend(m_surfaceBox);
     all.extend(m_half1.box());
     all.extend(m_half2.box());
-    if (m_state && m_directionsVisible && !m_surfaceBox.isEmpty()) {
-        all.extend(arrowTip(1));
-        all.extend(arrowTip(2));
-    }
     return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include "theme/theme.h"
 
+#include <QGuiApplication>
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -10,6 +11,8 @@
 namespace moldwright {
 
 namespace {
+
+constexpr int menuBarHeight = 28;
 
 /// Fusion draws outlines as Window darkened by 140 %: give it the ground that yields our outline.
 template <class Option>
@@ -26,6 +29,22 @@ void drawFocusRing(QPainter* painter, const QRect& around) {
     painter->setPen(QPen(t.palette.color(t.dark ? QPalette::Link : QPalette::Highlight), 2));
     painter->setBrush(Qt::NoBrush);
     painter->drawRoundedRect(QRectF(around).adjusted(1, 1, -1, -1), 3, 3);
+    painter->restore();
+}
+
+/// A tool that is on stands on the soft accent with an outline; one under the pointer on a little grey.
+void drawToolGround(const QStyleOption* option, QPainter* painter) {
+    const Theme& t = theme();
+    const bool on = option->state.testFlag(QStyle::State_On);
+    const bool hovered =
+        option->state.testFlag(QStyle::State_MouseOver) && option->state.testFlag(QStyle::State_Enabled);
+    if (!on && !hovered)
+        return;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(on ? t.palette.color(QPalette::Highlight) : t.palette.color(QPalette::Midlight));
+    painter->setBrush(on ? t.accentSoft : t.palette.color(QPalette::Midlight));
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
     painter->restore();
 }
 
@@ -69,9 +88,51 @@ void MoldwrightStyle::drawPrimitive(PrimitiveElement element, const QStyleOption
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         break;
     }
+    case PE_PanelButtonTool:
+        drawToolGround(option, painter);
+        break;
+    case PE_IndicatorDockWidgetResizeHandle:
+        painter->fillRect(option->rect, theme().palette.color(QPalette::Midlight));
+        break;
+    case PE_PanelToolBar:
+    case PE_FrameStatusBarItem:
+    case PE_PanelStatusBar:
+        break; // bars are flat
     default:
         QProxyStyle::drawPrimitive(element, option, painter, widget);
     }
+}
+
+void MoldwrightStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                                  const QWidget* widget) const {
+    switch (element) {
+    case CE_ToolBar:
+        painter->fillRect(option->rect, widget->palette().color(QPalette::Window));
+        painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1),
+                          theme().palette.color(QPalette::Midlight));
+        break;
+    case CE_MenuBarEmptyArea:
+        painter->fillRect(option->rect, theme().palette.color(QPalette::Window));
+        break;
+    default:
+        QProxyStyle::drawControl(element, option, painter, widget);
+    }
+}
+
+int MoldwrightStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                               QStyleHintReturn* answer) const {
+    // Mnemonics are underlined once Alt is held.
+    if (hint == SH_UnderlineShortcut)
+        return QGuiApplication::queryKeyboardModifiers().testFlag(Qt::AltModifier);
+    return QProxyStyle::styleHint(hint, option, widget, answer);
+}
+
+QSize MoldwrightStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                                        const QWidget* widget) const {
+    QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+    if (type == CT_MenuBarItem)
+        size.setHeight(menuBarHeight);
+    return size;
 }
 
 void MoldwrightStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,

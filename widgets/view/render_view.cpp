@@ -52,6 +52,9 @@ RenderView::RenderView(QWidget* parent) : QOpenGLWidget(parent) {
 
 RenderView::~RenderView() {
     releaseContext();
+    // The context outlives this part of the object: it must not call back.
+    if (context())
+        disconnect(context(), nullptr, this, nullptr);
     m_window->RemoveAllObservers();
 }
 

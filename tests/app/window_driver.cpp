@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "app/window_driver.h"
+
+#include "window/main_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QScreen>
+#include <QTest>
+#include <QTimer>
+
+namespace moldwright::test {
+
+WindowDriver::WindowDriver() {
+    window().resize(1440, 900);
+    (void)QTest::qWaitForWindowActive(&window());
+}
+
+WindowDriver::~WindowDriver() = default;
+
+bool WindowDriver::waitFor(const std::function<bool()>& condition, int milliseconds) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!condition()) {
+        if (clock.elapsed() > milliseconds)
+            return false;
+        QTest::qWait(10);
+    }
+    return true;
+}
+
+bool WindowDriver::waitIdle(int milliseconds) {
+    return waitFor([this] { return !bench().background().busy() && bench().analysisIsCurrent(); },
+                   milliseconds);
+}
+
+void WindowDriver::press(const char* keys) {
+    const QKeyCombination combination = QKeySequence(QString::fromLatin1(keys))[0];
+    QWidget* target = QApplication::focusWidget() ? QApplication::focusWidget() : &window();
+    QTest::keyClick(target, combination.key(), combination.keyboardModifiers());
+    QTest::qWait(30);
+}
+
+void WindowDriver::click(const char* objectName) {
+    auto* widget = window().findChild<QWidget*>(QString::fromLatin1(objectName));
+    QVERIFY2(widget, objectName);
+    QTest::mouseClick(widget, Qt::LeftButton);
+    QTest::qWait(30);
+}
+
+bool WindowDriver::openSample(const char* baseName) {
+    click((std::string("sample-") + baseName).c_str());
+    return waitFor([this] { return bench().project().part != nullptr; }) && waitIdle();
+}
+
+void WindowDriver::answerFileDialog(const QString& path) {
+    auto* timer = new QTimer(&window());
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, path] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog)
+            return;
+        timer->deleteLater();
+        auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    });
+    timer->start(50);
+}
+
+void WindowDriver::shot(const char* name) {
+    const QString folder = qEnvironmentVariable("MOLDWRIGHT_SCREENSHOTS");
+    if (folder.isEmpty())
+        return;
+    QTest::qWait(250);
+    window()
+        .screen()
+        ->grabWindow(window().winId())
+        .save(folder + u'/' + QString::fromLatin1(name) + QStringLiteral(".png"));
+}
+
+} // namespace moldwright::test

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "window/program.h"
+
+#include <QString>
+
+#include <functional>
+
+class QWidget;
+
+namespace moldwright::test {
+
+/// Drives the real window by the events a user makes, and waits for what comes of them.
+class WindowDriver {
+public:
+    WindowDriver();
+    ~WindowDriver();
+
+    [[nodiscard]] MainWindow& window() { return m_program.window(); }
+    [[nodiscard]] Workbench& bench() { return m_program.bench(); }
+    [[nodiscard]] Program& program() { return m_program; }
+
+    /// Handles events until `condition` holds; false after `milliseconds`.
+    bool waitFor(const std::function<bool()>& condition, int milliseconds = 30000);
+
+    /// Until no job runs and the analysis is that of what is shown.
+    bool waitIdle(int milliseconds = 120000);
+
+    /// Presses keys with the focus where it is, as in "Ctrl+Z".
+    void press(const char* keys);
+
+    /// Clicks the widget with this object name.
+    void click(const char* objectName);
+
+    /// Opens a bundled sample through its card on the start page.
+    bool openSample(const char* baseName);
+
+    /// Once the next modal file dialog is open, types the path into it and accepts.
+    void answerFileDialog(const QString& path);
+
+    /// Saves a picture of the window when MOLDWRIGHT_SCREENSHOTS names a folder.
+    void shot(const char* name);
+
+private:
+    Program m_program;
+};
+
+} // namespace moldwright::test
