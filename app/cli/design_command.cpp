@@ -3,12 +3,14 @@
 
 #include "cli/design_files.h"
 #include "cli/load_part.h"
+#include "cli/render_client.h"
 #include "cli/state_options.h"
 #include "design/stopwatch.h"
 #include "mesh/measures.h"
 #include "mold/mold_files.h"
 #include "project/edits.h"
 #include "project/project_file.h"
+#include "report/figures.h"
 
 #include <CLI/CLI.hpp>
 
@@ -35,6 +37,7 @@ struct DesignOptions {
     double size = 0;
     double maxTilt = 30;
     bool mold = false;
+    bool report = false;
     MoldSettings block;
 };
 
@@ -112,10 +115,20 @@ Result<void> writeMoldOf(const DesignOptions& options, const DesignRequest& requ
     return writeMold(*mold, std::filesystem::path(options.input).stem().string(), options.output);
 }
 
+Result<void> writeReportOf(const std::filesystem::path& folder, const Session& session) {
+    const Result<RenderedReport> report =
+        renderReport(folder / "project.moldwright", folder / "report.pdf", session.task());
+    if (!report)
+        return std::unexpected(report.error());
+    if (!report->missingPictures.empty())
+        session.tell({MW_TEXT("cli", "The report has no pictures. {0}"), {report->missingPictures}});
+    return {};
+}
+
 void tell(const DesignResult& result, const Session& session) {
     if (result.castable)
         session.out() << "Castable: every face proved at "
-                      << readable(result.certificate.worstDraftDegrees, 3) << "° or more.\n";
+                      << figureRoundedDown(result.certificate.worstDraftDegrees, 2) << "° or more.\n";
     else
         session.out() << "Not castable: " << result.certificate.reason << '\n';
     session.out() << "Mean change " << readable(100 * result.change.meanDistance, 2)
@@ -155,6 +168,9 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
     const StoredProject stored{projectOf(options, *source, placement, *request, *result), "", ""};
     if (auto done = saveProject(folder / "project.moldwright", stored); !done)
         return std::unexpected(done.error());
+    if (options.report)
+        if (const Result<void> done = writeReportOf(folder, session); !done)
+            return std::unexpected(done.error());
     if (auto done = session.writeJson(designJson(name, *request, *result)); !done)
         return std::unexpected(done.error());
     tell(*result, session);
@@ -187,6 +203,7 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
         ->check(CLI::PositiveNumber)
         ->excludes(scale);
     app.add_flag("--mold", o.mold, "Also build, prove and write the mold halves");
+    app.add_flag("--report", o.report, "Also write the printable report, report.pdf");
     app.add_option("--wall", o.block.wall, "Steel around the cavity, mm")->check(CLI::PositiveNumber);
 }
 

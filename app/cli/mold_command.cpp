@@ -3,7 +3,7 @@
 
 #include "cli/open_project.h"
 #include "mold/mold_files.h"
-#include "project/pipeline.h"
+#include "report/figures.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,7 +22,7 @@ struct MoldOptions {
 void describe(const Mold& mold, std::ostream& out) {
     if (mold.verified())
         out << "The mold opens: both halves are proved at "
-            << readable(mold.castCertificate.worstDraftDegrees) << "°.\n";
+            << figureRoundedDown(mold.castCertificate.worstDraftDegrees, 2) << "°.\n";
     else
         out << "The mold was written, but it is not proved to open.\n";
     const Eigen::Vector3d size = mold.half1.size + Eigen::Vector3d(0, 0, mold.half2.size.z());

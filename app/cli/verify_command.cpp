@@ -5,6 +5,7 @@
 #include "cli/state_options.h"
 #include "exchange/mesh_file.h"
 #include "mold/release.h"
+#include "report/figures.h"
 
 #include <CLI/CLI.hpp>
 
@@ -70,7 +71,8 @@ Result<std::vector<CheckedHalf>> checkHalves(const VerifyOptions& options, const
 
 void describe(const Certificate& proof, const std::vector<CheckedHalf>& halves, std::ostream& out) {
     if (proof.holds())
-        out << "Castable: every face leaves with " << readable(proof.worstDraftDegrees) << "° or more.\n";
+        out << "Castable: every face leaves with " << figureRoundedDown(proof.worstDraftDegrees, 2)
+            << "° or more.\n";
     else
         out << "Not castable. " << proof.reason << "\n";
     for (const CheckedHalf& half : halves)

@@ -105,7 +105,8 @@ TEST(ProjectFile, MissingPartsAreNamed) {
 }
 
 TEST(ProjectFile, APartThatInflatesBeyondItsLimitIsRefused) {
-    const std::string bomb(std::size_t{5} << 20, ' ');
+    const std::string bomb = R"({"format": "moldwright-project", "version": 1, "minReader": 1})" +
+                             std::string(std::size_t{5} << 20, ' ');
     const std::string bytes = withManifest(bomb);
     EXPECT_LT(bytes.size(), 20000U);
     EXPECT_NE(message(readProjectBytes(bytes, "bomb")).find("manifest.json"), std::string::npos);
