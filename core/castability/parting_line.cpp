@@ -12,6 +12,9 @@ namespace moldwright {
 
 namespace {
 
+constexpr double kClearlyOther = 0.5; ///< sine of the angle at which a point's faces look at the other side
+constexpr double kCrossed = 0.15;     ///< of the shortest edge: how far beyond the plane a point is put
+constexpr int kCrossingRounds = 5;
 constexpr double kExactlyFlat = 1e-9; ///< of the diagonal: points this near lie in the plane on purpose
 
 double height(const TriangleMesh& mesh, TriangleMesh::VertexHandle v) {
@@ -162,6 +165,31 @@ PartedMesh insertPartingLine(const IndexedMesh& input, double snap) {
         result.sourceFace.push_back(mesh.property(source, f));
     }
     return result;
+}
+
+IndexedMesh crossNearPoints(const IndexedMesh& input, double reach) {
+    IndexedMesh mesh = input;
+    const double flat = kExactlyFlat * diagonal(input);
+    const TriangleMesh topology = toTriangleMesh(input);
+    // One point's crossing may turn its neighbours' faces: a few rounds, each judged on the shape it finds.
+    for (int round = 0; round < kCrossingRounds; ++round) {
+        Points looks = Points::Zero(mesh.V.rows(), 3);
+        for (int f = 0; f < mesh.faceCount(); ++f)
+            for (int k = 0; k < 3; ++k)
+                looks.row(mesh.F(f, k)) += doubleAreaVector(mesh, f).transpose();
+        bool moved = false;
+        for (const auto v : topology.vertices()) {
+            const double z = mesh.V(v.idx(), 2);
+            const double up = looks(v.idx(), 2) / std::max(looks.row(v.idx()).norm(), 1e-300);
+            if (std::abs(z) <= flat || std::abs(z) > reach || up * z > -kClearlyOther * std::abs(z))
+                continue;
+            mesh.V(v.idx(), 2) = (z > 0 ? -kCrossed : kCrossed) * shortestEdge(topology, v);
+            moved = true;
+        }
+        if (!moved)
+            break;
+    }
+    return mesh;
 }
 
 std::vector<std::array<int, 2>> partingEdges(const IndexedMesh& mesh, const SideLabels& labels) {

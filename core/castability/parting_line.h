@@ -23,6 +23,12 @@ struct PartedMesh {
 /// input keep their index. snap in [0, 0.25]: more makes rounder faces, less changes the shape less.
 [[nodiscard]] PartedMesh insertPartingLine(const IndexedMesh& mesh, double snap);
 
+/// `mesh` (plane's frame) with points brought across the plane that lie within `reach` of it and whose faces
+/// look clearly at the other side: the web in an armpit, the lip over a seam. On their own side such faces
+/// could leave only if the parting line crossed itself; on the other they need no bending at all. Points move
+/// along z alone.
+[[nodiscard]] IndexedMesh crossNearPoints(const IndexedMesh& mesh, double reach);
+
 /// The directed edges a→b of the parting line with side 1 on their left, by face labels.
 [[nodiscard]] std::vector<std::array<int, 2>> partingEdges(const IndexedMesh& mesh, const SideLabels& labels);
 

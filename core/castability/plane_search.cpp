@@ -18,6 +18,7 @@ namespace moldwright {
 namespace {
 
 constexpr int kProxyFaces = 2000;
+constexpr int kAxisSteps = 20;      ///< planes square to each axis that are always tried
 constexpr double kSmallSide = 0.15; ///< below this share of the volume a side counts as too small
 
 /// A candidate on the way: in the frame of the scaled mesh.
@@ -54,10 +55,14 @@ std::vector<MoldState> samplePlanes(const IndexedMesh& mesh, int count, unsigned
     // Plain arithmetic on the generator's words: the library's distributions differ between platforms.
     const auto uniform = [&] { return (random() + 0.5) / 4294967296.0; };
     std::vector<MoldState> states;
-    for (int axis = 0; axis < 3; ++axis) {
-        const PartingPlane plane{Eigen::Vector3d::Unit(axis), 0};
-        states.push_back({plane, Directions::normalTo(plane)});
-    }
+    // Made parts stand square to their axes, and their seams are often near an end.
+    for (int axis = 0; axis < 3; ++axis)
+        for (int step = 1; step < kAxisSteps; ++step) {
+            const double low = mesh.V.col(axis).minCoeff();
+            const double high = mesh.V.col(axis).maxCoeff();
+            const PartingPlane plane{Eigen::Vector3d::Unit(axis), low + (high - low) * step / kAxisSteps};
+            states.push_back({plane, Directions::normalTo(plane)});
+        }
     while (static_cast<int>(states.size()) < count) {
         const double z = 2 * uniform() - 1;
         const double angle = 2 * std::numbers::pi * uniform();
@@ -225,7 +230,8 @@ std::vector<PlaneCandidate> findPlanes(const IndexedMesh& mesh, const PlaneSearc
             task.progress(0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(trials.size()), "plane");
         }
     });
-    // Starts that refinement led elsewhere are candidates of their own: there may be more planes asked for than minima.
+    // Starts that refinement led elsewhere are candidates of their own: there may be more planes asked for
+    // than minima.
     refined.insert(refined.end(), trials.begin(), trials.end());
     for (const PartingPlane& plane : flatBackPlanes(scaled)) {
         MoldState state{plane, Directions::normalTo(plane)};

@@ -147,7 +147,7 @@ private:
             consider(tryCollapse(m_mesh.opposite_halfedge_handle(h)));
         }
         if (!best)
-            return false;
+            return relocateCorners(f);
         if (best->flip) {
             m_mesh.flip(m_mesh.edge_handle(best->halfedge));
             return true;
@@ -157,6 +157,49 @@ private:
         if (curve)
             std::erase_if(m_curvePoints, [&](Vertex v) { return m_mesh.status(v).deleted(); });
         return true;
+    }
+
+    /// Moves a free corner of f to the best of a few places about its neighbours' middle, at its height or
+    /// nearer to the plane (slopes fall with the height); only if the worst draft about it rises.
+    bool relocateCorners(Face f) {
+        for (const auto v : m_mesh.fv_range(f))
+            if (!onPlane(v) && relocate(v))
+                return true;
+        return false;
+    }
+
+    bool relocate(Vertex v) {
+        const Eigen::Vector3d old = m_mesh.point(v);
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        int around = 0;
+        for (const auto w : m_mesh.vv_range(v)) {
+            middle += m_mesh.point(w);
+            ++around;
+        }
+        middle /= around;
+        double best = worstAround(v);
+        if (best >= m_goal.tau)
+            return false;
+        Eigen::Vector3d chosen = old;
+        for (const double inward : {0.0, 0.25, 0.5, 1.0})
+            for (const double lowered : {1.0, 0.7, 0.4, 0.15}) {
+                m_mesh.point(v) << (1 - inward) * old.head<2>() + inward * middle.head<2>(),
+                    lowered * old.z();
+                const double worst = worstAround(v);
+                if (worst > best + kGain) {
+                    best = worst;
+                    chosen = m_mesh.point(v);
+                }
+            }
+        m_mesh.point(v) = chosen;
+        return chosen != old;
+    }
+
+    [[nodiscard]] double worstAround(Vertex v) const {
+        double worst = 1;
+        for (const auto f : m_mesh.vf_range(v))
+            worst = std::min(worst, draft(f));
+        return worst;
     }
 
     /// Is it worth it? Mended draft must rise; a thin face may go as long as draft stays at τ or where it

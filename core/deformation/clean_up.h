@@ -23,11 +23,12 @@ struct CleanUpGoal {
     double smallestAltitude = 0; ///< so are the needles and caps below this height
 };
 
-/// Mends the faces that no motion of points can mend, by flips and collapses of their edges (OpenMesh). A
-/// change is made only where the worst draft of the faces around it rises, or, for the short and the thin,
-/// does not fall below τ or where it was. The parting line stays simple: no collapse sweeps it over one of
-/// its points, leaves a loop of three, lays a face into the plane, or flips an edge between labels. Points
-/// keep their order; removed ones are gone. Returns the number of changes made.
+/// Mends the faces that a smooth motion cannot mend, by flips and collapses of their edges (OpenMesh), or
+/// where neither helps by moving one of their points to a better place about its neighbours' middle. A change
+/// is made only where the worst draft of the faces around it rises, or, for the short and the thin, does not
+/// fall below τ or where it was. The parting line stays simple: no collapse sweeps it over one of its points,
+/// leaves a loop of three, lays a face into the plane, or flips an edge between labels. Points keep their
+/// order; removed ones are gone. Returns the number of changes made.
 int cleanUp(LabelledSurface& surface, const CleanUpGoal& goal);
 
 } // namespace moldwright

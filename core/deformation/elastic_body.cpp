@@ -23,7 +23,7 @@ int roundUp(int count, int step) {
 ElasticBody::ElasticBody(const BodyShape& shape)
     : m_points(static_cast<int>(shape.V.rows())), m_tetCount(static_cast<int>(shape.T.rows())),
       m_faceCount(shape.membrane > 0 ? static_cast<int>(shape.F.rows()) : 0),
-      m_faceStart(roundUp(m_tetCount, L)) {
+      m_faceStart(roundUp(m_tetCount, L)), m_volumeStiffness(shape.volumeStiffness) {
     m_batches.assign(static_cast<std::size_t>((m_faceStart + roundUp(m_faceCount, L)) / L), Batch{});
     const auto point = [&](int v) -> Eigen::Vector3d { return shape.V.row(v).transpose(); };
     for (int t = 0; t < m_tetCount; ++t) {
@@ -106,6 +106,27 @@ void ElasticBody::scatter(const Batch& batch, const MatrixBatch& M, double facto
     }
 }
 
+/// Adds ν(det F − 1)² to the lanes' energies and half its derivative, ν(det F − 1)·cof F, to the residuals.
+void ElasticBody::addVolumeTerm(const MatrixBatch& F, double stiffness, MatrixBatch& residual,
+                                double* energies) {
+    for (int l = 0; l < L; ++l) {
+        double cofactor[9];
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const int i1 = (i + 1) % 3;
+                const int i2 = (i + 2) % 3;
+                const int j1 = (j + 1) % 3;
+                const int j2 = (j + 2) % 3;
+                cofactor[3 * i + j] =
+                    F.m[3 * i1 + j1][l] * F.m[3 * i2 + j2][l] - F.m[3 * i1 + j2][l] * F.m[3 * i2 + j1][l];
+            }
+        const double det = F.m[0][l] * cofactor[0] + F.m[1][l] * cofactor[1] + F.m[2][l] * cofactor[2];
+        energies[l] += stiffness * (det - 1) * (det - 1);
+        for (int k = 0; k < 9; ++k)
+            residual.m[k][l] += stiffness * (det - 1) * cofactor[k];
+    }
+}
+
 /// Runs perBatch(batch index, scatter target) over all batches in fixed blocks; adds the blocks' targets to
 /// *out in order and returns the sum of what perBatch returned.
 template <class PerBatch>
@@ -138,6 +159,7 @@ double ElasticBody::energy(const Positions& X, double weight, Positions& gradien
         MatrixBatch R;
         deformationGradients(batch, X, F);
         fitRotations(F, R);
+        const MatrixBatch whole = F;
         const bool face = static_cast<int>(b) * L >= m_faceStart;
         double sums[L] = {};
         for (int k = 0; k < 9; ++k)
@@ -159,6 +181,8 @@ double ElasticBody::energy(const Positions& X, double weight, Positions& gradien
                 }
             }
         }
+        if (!face && m_volumeStiffness > 0)
+            addVolumeTerm(whole, m_volumeStiffness, F, sums);
         scatter(batch, F, 2 * weight, target);
         double sum = 0;
         for (int l = 0; l < L; ++l)

@@ -20,10 +20,11 @@ struct BodyShape {
     Triangles F;                    ///< surface
     std::vector<double> tetWeights; ///< importance per tetrahedron; empty: all 1
     double membrane = 0;            ///< weight of the surface term, per area
+    double volumeStiffness = 0;     ///< ν: weight of each tetrahedron's change of volume
 };
 
 /// The as-rigid-as-possible energy of a body and its surface:
-///   E(X) = Σ_t w_t vol_t min_R ‖F_t(X) − R‖² + m Σ_f area_f min_R ‖(F_f(X) − R) P_f‖²,
+///   E(X) = Σ_t w_t vol_t (min_R ‖F_t(X) − R‖² + ν (det F_t − 1)²) + m Σ_f area_f min_R ‖(F_f(X) − R) P_f‖²,
 /// F the deformation gradient, P_f the projection to the rest face. The first sum is [Stein 2019], Eq. (4),
 /// written per tetrahedron ([Chao 2010]): edge weights are the tetrahedral cotangents; the second is a
 /// membrane on the surface. Elements are stored for streaming, eight side by side. Results are the same for
@@ -73,10 +74,14 @@ private:
     /// The element that a lane of a batch holds, −1 for an idle lane.
     [[nodiscard]] int elementAt(std::size_t batch, int lane) const;
 
+    static void addVolumeTerm(const MatrixBatch& F, double stiffness, MatrixBatch& residual,
+                              double* energies);
+
     int m_points = 0;
     int m_tetCount = 0;
     int m_faceCount = 0;
     int m_faceStart = 0; ///< first lane of the faces: batches are not mixed
+    double m_volumeStiffness = 0;
     std::vector<Batch> m_batches;
 };
 

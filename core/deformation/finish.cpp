@@ -17,6 +17,7 @@ constexpr double kAimHigher = 1.0;  ///< degrees above the required draft
 constexpr double kEnough = 0.2;     ///< degrees above the required draft that end the finish
 constexpr double kAreaFloor = 0.01; ///< of the mean face area: slivers must count too
 constexpr int kIterations = 100;
+constexpr std::size_t kStalledRounds = 3; ///< without fewer violations: what is left is stuck
 constexpr double kThinInSteps =
     400; ///< rounding steps below which a face is too thin to keep its draft in floats
 
@@ -66,6 +67,7 @@ bool finishSurface(LabelledSurface& surface, const FinishGoal& goal, const Task&
     CleanUpGoal mending{goal.directions, enough, kThinInSteps * goal.resolution,
                         kThinInSteps * goal.resolution};
     cleanUp(surface, mending);
+    std::vector<int> history;
     for (int round = 0; round < goal.rounds && !task.stopped(); ++round) {
         if (violations(surface, goal.directions, goal.draftDegrees + kEnough) == 0)
             return true;
@@ -82,6 +84,9 @@ bool finishSurface(LabelledSurface& surface, const FinishGoal& goal, const Task&
         weights.barrier = std::max(weights.barrier * 0.3, 1e-4);
         if (watch)
             watch(surface);
+        history.push_back(violations(surface, goal.directions, goal.draftDegrees));
+        if (history.size() > kStalledRounds && history.back() >= history[history.size() - 1 - kStalledRounds])
+            break;
     }
     return violations(surface, goal.directions, goal.draftDegrees) == 0;
 }

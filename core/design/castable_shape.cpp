@@ -13,6 +13,7 @@ namespace moldwright {
 namespace {
 
 constexpr double kMembrane = 5;    ///< weight of the surface term, times the mean edge
+constexpr double kVolume = 5;      ///< weight of each tetrahedron's change of volume: limbs turn, not shrink
 constexpr double kAimHigher = 1;   ///< degrees above the required draft
 constexpr double kFirstHinge = 1;  ///< κ of the first round
 constexpr double kHingeGrowth = 3; ///< from round to round
@@ -49,6 +50,7 @@ LabelledBody bodyOf(const PartedSolid& solid, const ShapeGoal& goal) {
     body.shape.F = solid.surface.mesh.F;
     body.shape.tetWeights = tetWeights(solid, goal.faceWeights);
     body.shape.membrane = kMembrane * meanEdge(solid.surface.mesh);
+    body.shape.volumeStiffness = kVolume;
     body.labels = solid.surface.labels;
     body.directions = solid.frame.directionsToWork(solid.state.directions);
     body.held.assign(static_cast<std::size_t>(solid.tets.V.rows()), 0);

@@ -14,7 +14,7 @@ namespace moldwright {
 
 namespace {
 
-constexpr double kProminence = 0.045; ///< of the diagonal: less is no limb
+constexpr double kProminence = 0.025; ///< of the diagonal: less is no limb
 constexpr double kFirstReach = 0.04;  ///< of the diagonal: a joint is not looked for nearer to the tip
 constexpr double kLongestReach = 0.6;
 constexpr double kReachStep = 0.01;

@@ -20,7 +20,7 @@ namespace moldwright {
 
 namespace {
 
-constexpr int kCandidatePlanes = 40; ///< searched for one that passes the topological certificate
+constexpr int kCandidatePlanes = 60; ///< searched for one that passes the topological certificate
 constexpr int kPlanesTried = 3;      ///< deformed in turn until one ends castable
 constexpr int kRoundingAttempts = 3; ///< finishes with ever coarser clean-up until floats keep the draft
 constexpr int kPlasticSteps = 40;    ///< at most, of the paper's method

@@ -14,50 +14,97 @@ namespace {
 /// later.
 constexpr std::array kSnaps = {0.25, 0.1, 0.02, 0.0};
 
+/// How near to the plane points may lie that are brought across it, in diagonals; none where that does not
+/// serve.
+constexpr std::array kReaches = {0.015, 0.0};
+constexpr int kUncrossingRounds = 10;
+
+/// crossNearPoints() where that makes nothing cross: points of faces that then intersect go back, with their
+/// neighbours.
+IndexedMesh crossWhereFree(const IndexedMesh& work, double reach) {
+    IndexedMesh crossed = crossNearPoints(work, reach);
+    for (int round = 0; round < kUncrossingRounds; ++round) {
+        const auto pairs = selfIntersections(crossed);
+        if (pairs.empty())
+            return crossed;
+        std::vector<char> back(static_cast<std::size_t>(work.vertexCount()), 0);
+        for (const auto& [f, g] : pairs)
+            for (int k = 0; k < 3; ++k)
+                back[static_cast<std::size_t>(work.F(f, k))] = back[static_cast<std::size_t>(work.F(g, k))] =
+                    1;
+        for (int f = 0; f < work.faceCount(); ++f) {
+            const Eigen::RowVector3i c = work.F.row(f);
+            if (back[static_cast<std::size_t>(c[0])] || back[static_cast<std::size_t>(c[1])] ||
+                back[static_cast<std::size_t>(c[2])])
+                for (int k = 0; k < 3; ++k)
+                    crossed.V.row(c[k]) = work.V.row(c[k]);
+        }
+    }
+    return work;
+}
+
+/// The part in the working frame with its parting line inserted.
+PartedMesh parted(const IndexedMesh& work, double reach, double snap) {
+    return insertPartingLine(reach > 0 ? crossWhereFree(work, reach) : work, snap);
+}
+
+Error crossesItself() {
+    return {ErrorCode::Internal,
+            {MW_TEXT("design", "The parting line could not be inserted without the surface crossing itself."),
+             {}},
+            {},
+            {}};
+}
+
 } // namespace
 
 bool planePasses(const IndexedMesh& part, const MoldState& state) {
-    const PartedMesh parted = insertPartingLine(WorkingFrame(part, state).toWork(part), kSnaps.front());
-    return topologyAllowsCasting(parted.mesh, parted.labels);
+    const IndexedMesh work = WorkingFrame(part, state).toWork(part);
+    return std::any_of(kReaches.begin(), kReaches.end(), [&](double reach) {
+        const PartedMesh surface = parted(work, reach, kSnaps.front());
+        return topologyAllowsCasting(surface.mesh, surface.labels);
+    });
 }
 
 std::vector<Obstruction> obstructionsAt(const IndexedMesh& part, const MoldState& state) {
     const WorkingFrame frame(part, state);
-    const PartedMesh parted = insertPartingLine(frame.toWork(part), kSnaps.front());
-    return findObstructions(parted.mesh, parted.labels, frame);
+    const IndexedMesh work = frame.toWork(part);
+    std::vector<Obstruction> found;
+    for (const double reach : kReaches) {
+        const PartedMesh surface = parted(work, reach, kSnaps.front());
+        found = findObstructions(surface.mesh, surface.labels, frame);
+        if (found.empty())
+            break;
+    }
+    return found;
 }
 
 Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, const Task& task) {
     const WorkingFrame frame(part, state);
     const IndexedMesh work = frame.toWork(part);
     std::optional<Error> refusal;
-    for (const double snap : kSnaps) {
-        if (task.stopped())
-            return failure(ErrorCode::Cancelled, MW_TEXT("design", "The design was cancelled."));
-        PartedMesh parted = insertPartingLine(work, snap);
-        if (!topologyAllowsCasting(parted.mesh, parted.labels)) {
-            const auto obstructions = findObstructions(parted.mesh, parted.labels, frame);
-            refusal =
-                Error{ErrorCode::Impossible, obstructions.front().message, {}, {obstructions.front().place}};
-            continue;
+    for (const double reach : kReaches)
+        for (const double snap : kSnaps) {
+            if (task.stopped())
+                return failure(ErrorCode::Cancelled, MW_TEXT("design", "The design was cancelled."));
+            PartedMesh surface = parted(work, reach, snap);
+            if (const auto obstructions = findObstructions(surface.mesh, surface.labels, frame);
+                !obstructions.empty()) {
+                refusal = Error{
+                    ErrorCode::Impossible, obstructions.front().message, {}, {obstructions.front().place}};
+                break; // snapping less does not change what hangs together
+            }
+            if (!selfIntersections(surface.mesh).empty()) {
+                refusal = crossesItself();
+                continue;
+            }
+            Result<TetMesh> tets = tetrahedralize(surface.mesh, task);
+            if (tets)
+                return PartedSolid{state, frame, std::move(surface), std::move(*tets)};
+            refusal = tets.error();
+            if (refusal->code == ErrorCode::Cancelled)
+                return std::unexpected(*refusal);
         }
-        if (!selfIntersections(parted.mesh).empty()) {
-            refusal = Error{
-                ErrorCode::Internal,
-                {MW_TEXT("design", "The parting line could not be inserted without the surface crossing "
-                                   "itself."),
-                 {}},
-                {},
-                {}};
-            continue;
-        }
-        Result<TetMesh> tets = tetrahedralize(parted.mesh, task);
-        if (tets)
-            return PartedSolid{state, frame, std::move(parted), std::move(*tets)};
-        refusal = tets.error();
-        if (refusal->code == ErrorCode::Cancelled)
-            break;
-    }
     return std::unexpected(*refusal);
 }
 
