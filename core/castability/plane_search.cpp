@@ -35,13 +35,13 @@ struct Search {
     double wholeVolume;
 };
 
-/// Factor up to 5 where nearly all of the volume lies on one side, and its derivative with respect to the
+/// Factor up to 2 where nearly all of the volume lies on one side, and its derivative with respect to the
 /// share above. A factor, so that a plane at which the part already passes (energy 0) is never worse for it.
 std::pair<double, double> oneSidedness(double shareAbove) {
     const double smaller = std::min(shareAbove, 1 - shareAbove);
     const double missing = std::max(0.0, (kSmallSide - smaller) / kSmallSide);
-    const double slope = missing > 0 ? (shareAbove < 0.5 ? -1 : 1) * 4 / kSmallSide : 0.0;
-    return {1 + 4 * missing, slope};
+    const double slope = missing > 0 ? (shareAbove < 0.5 ? -1 : 1) / kSmallSide : 0.0;
+    return {1 + missing, slope};
 }
 
 double score(const Search& s, const MoldState& state, double energy) {
