@@ -59,7 +59,7 @@ bool leavesAlongExactly(const Vector3d& a, const Vector3d& b, const Vector3d& c,
     const mpq_class towards = exactDot(cross, d);
     if (sgn(towards) <= 0)
         return false;
-    mpq_class crossSquared = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
+    const mpq_class crossSquared = cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2];
     mpq_class directionSquared = 0;
     for (int k = 0; k < 3; ++k)
         directionSquared += mpq_class(d[k]) * mpq_class(d[k]);
