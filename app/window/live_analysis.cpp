@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/live_analysis.h"
 
+#include "castability/cast_analysis.h"
+
 namespace moldwright {
 
 LiveAnalysis::LiveAnalysis(QObject* parent) : QObject(parent) {
@@ -32,11 +34,14 @@ void LiveAnalysis::work() {
         return;
     auto answer = std::make_shared<AnalysisAnswer>();
     answer->request = *request;
-    if (request->state)
-        answer->analysis = analyzeDraft(*request->mesh, *request->state, request->draftDegrees, false);
-    if (request->state && !request->labels.empty())
+    if (request->state && !request->labels.empty()) {
         answer->certificate =
             certify(*request->mesh, request->labels, *request->state, request->draftDegrees);
+        answer->analysis = analyzeCast(*request->mesh, request->labels, *request->state,
+                                       request->draftDegrees, *answer->certificate);
+    } else if (request->state) {
+        answer->analysis = analyzeDraft(*request->mesh, *request->state, request->draftDegrees, false);
+    }
     if (!m_picker || m_picker->mesh() != request->mesh)
         m_picker = std::make_shared<scene::SurfacePicker>(request->mesh);
     answer->picker = m_picker;

@@ -50,7 +50,6 @@ MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     connectPanels();
     restoreLayout();
     applyTheme();
-    refresh();
     if (m_bench.project().part)
         m_view->fitAll(true);
     m_centre->currentWidget()->setFocus();
@@ -72,7 +71,7 @@ void MainWindow::applyTheme() {
     m_shownMesh = nullptr;
     m_shownMold = nullptr;
     refreshProperties(true);
-    refreshSoon();
+    refresh();
 }
 
 void MainWindow::refresh() {
@@ -80,6 +79,10 @@ void MainWindow::refresh() {
     m_centre->setCurrentIndex(open ? 1 : 0);
     for (Dock* dock : m_docks)
         dock->setVisible(open && dock->toggleViewAction()->property("wanted").toBool());
+    if (open && !m_docksPlaced && isVisible()) {
+        m_docksPlaced = true;
+        placeDocks(); // sizes hold only once the docks are seen
+    }
     for (Dock* dock : m_docks)
         dock->setTitleShown(dock->isFloating() || tabifiedDockWidgets(dock).isEmpty());
     if (!open)

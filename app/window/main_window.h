@@ -62,6 +62,7 @@ private:
     void buildDocks();
     void buildStatusBar();
     void restoreLayout();
+    void placeDocks();
 
     // main_window_actions.cpp
     void connectActions();
@@ -130,6 +131,7 @@ private:
     QMenu* m_dockMenu = nullptr;
     QList<class Dock*> m_docks;
     QByteArray m_firstLayout;
+    bool m_docksPlaced = false;
     QLabel* m_savedLabel = nullptr;
 };
 

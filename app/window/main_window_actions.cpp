@@ -185,6 +185,10 @@ void MainWindow::connectBench() {
     connect(&m_bench, &Workbench::moldBuilt, this, [this] {
         select(u"mold"_s);
         refresh();
+        // From beside the parting plane and a little from half 1's side: one looks into half 2's cavity.
+        const scene::PlaneRectangle plane = m_view->scene().rectangle();
+        m_view->lookFrom(plane.u + 0.55 * m_bench.project().state->plane.normal +
+                         0.45 * Eigen::Vector3d::UnitZ());
         m_viewBar->easeOpening(1);
     });
 }
@@ -233,7 +237,7 @@ void MainWindow::connectPanels() {
     connect(m_viewBar, &ViewBar::modeChosen, this, &MainWindow::setMode);
     connect(m_viewBar, &ViewBar::openingChanged, this, [this](double opening) {
         m_view->scene().setOpening(opening);
-        m_view->fitAll(true);
+        m_view->fitAll();
     });
     connect(m_messages, &MessageList::showMe, m_view, &PartView::frame);
     connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {

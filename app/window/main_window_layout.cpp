@@ -167,10 +167,18 @@ void MainWindow::buildDocks() {
         connect(dock, &QDockWidget::dockLocationChanged, this, &MainWindow::refreshSoon);
         connect(dock, &Dock::closed, this, [toggle] { toggle->setProperty("wanted", false); });
     }
+}
+
+void MainWindow::placeDocks() {
+    Dock* project = m_docks[0];
+    Dock* properties = m_docks[1];
+    Dock* progress = m_docks[2];
+    Dock* messages = m_docks[3];
     resizeDocks({project, properties}, {260, 304}, Qt::Horizontal);
-    resizeDocks({progress, messages}, {500, 360}, Qt::Horizontal);
+    resizeDocks({progress, messages}, {500, 380}, Qt::Horizontal);
     resizeDocks({progress}, {190}, Qt::Vertical);
     m_firstLayout = saveState(layoutVersion);
+    restoreState(preferences::layout(u"docks"_s), layoutVersion);
 }
 
 void MainWindow::buildStatusBar() {
@@ -196,7 +204,6 @@ void MainWindow::buildStatusBar() {
 void MainWindow::restoreLayout() {
     resize(1440, 900);
     restoreGeometry(preferences::layout(u"geometry"_s));
-    restoreState(preferences::layout(u"docks"_s), layoutVersion);
 }
 
 } // namespace moldwright

@@ -21,10 +21,6 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(Presentation)
 };
 
-QString tr(const char* text) {
-    return Words::tr(text);
-}
-
 QString lengthText(double mm) {
     return u"%1 mm"_s.arg(mm, 0, 'f', 1);
 }
@@ -36,37 +32,38 @@ QString sizeText(const Eigen::Vector3d& size) {
 StepState deformState(const Workbench& bench) {
     if (bench.running()) {
         const auto& frame = bench.frame();
-        return {Standing::Running, frame ? tr("Running, step %1").arg(frame->frame.step) : tr("Running")};
+        return {Standing::Running,
+                frame ? Words::tr("Running, step %1").arg(frame->frame.step) : Words::tr("Running")};
     }
     if (!bench.project().cast)
-        return {Standing::Todo, tr("Not started")};
-    return bench.castShown() ? StepState{Standing::Done, tr("Done")}
-                             : StepState{Standing::Stale, tr("Out of date")};
+        return {Standing::Todo, Words::tr("Not started")};
+    return bench.castShown() ? StepState{Standing::Done, Words::tr("Done")}
+                             : StepState{Standing::Stale, Words::tr("Out of date")};
 }
 
 StepState checkState(const Workbench& bench) {
     if (!bench.project().cast)
-        return {Standing::Todo, tr("Waits for Deform")};
+        return {Standing::Todo, Words::tr("Waits for Deform")};
     if (!bench.analysisIsCurrent() || !bench.analysis()->certificate)
-        return {Standing::Running, tr("Checking")};
+        return {Standing::Running, Words::tr("Checking")};
     if (bench.castIsProved())
         return {Standing::Done,
-                tr("Proved at %1").arg(draftText(bench.analysis()->certificate->worstDraftDegrees))};
-    return {Standing::Failing, tr("Not proved")};
+                Words::tr("Proved at %1").arg(draftText(bench.analysis()->certificate->worstDraftDegrees))};
+    return {Standing::Failing, Words::tr("Not proved")};
 }
 
 StepState moldState(const Workbench& bench) {
     if (!bench.mold())
-        return {Standing::Todo, tr("Not started")};
+        return {Standing::Todo, Words::tr("Not started")};
     if (!bench.moldIsCurrent())
-        return {Standing::Stale, tr("Out of date")};
-    return bench.mold()->verified() ? StepState{Standing::Done, tr("Proved")}
-                                    : StepState{Standing::Failing, tr("Not proved")};
+        return {Standing::Stale, Words::tr("Out of date")};
+    return bench.mold()->verified() ? StepState{Standing::Done, Words::tr("Proved")}
+                                    : StepState{Standing::Failing, Words::tr("Not proved")};
 }
 
 QString planeTilt(const MoldState& state) {
     const double angle = degrees(std::acos(std::clamp(std::abs(state.plane.normal.z()), 0.0, 1.0)));
-    return tr("%1 to level").arg(angleText(angle));
+    return Words::tr("%1 to level").arg(angleText(angle));
 }
 
 } // namespace
@@ -94,18 +91,19 @@ std::array<StepState, stepCount> stepStates(const Workbench& bench) {
     if (!project.part)
         return states;
     const double longest = boundingBox(*project.part).sizes().maxCoeff();
-    states[int(Step::Part)] = {Standing::Done, tr("%1, closed").arg(lengthText(longest))};
+    states[int(Step::Part)] = {Standing::Done, Words::tr("%1, closed").arg(lengthText(longest))};
     states[int(Step::Plane)] =
-        !project.planeChosenByHand ? StepState{Standing::Todo, tr("Not chosen yet")}
+        !project.planeChosenByHand ? StepState{Standing::Todo, Words::tr("Not chosen yet")}
         : bench.candidate() >= 0 && project.state == bench.candidates()[bench.candidate()].state
-            ? StepState{Standing::Done,
-                        tr("Number %1 of %2").arg(bench.candidate() + 1).arg(bench.candidates().size())}
-            : StepState{Standing::Done, tr("Chosen")};
+            ? StepState{Standing::Done, Words::tr("Number %1 of %2")
+                                            .arg(bench.candidate() + 1)
+                                            .arg(bench.candidates().size())}
+            : StepState{Standing::Done, Words::tr("Chosen")};
     states[int(Step::Deform)] = deformState(bench);
     states[int(Step::Check)] = checkState(bench);
     states[int(Step::Mold)] = moldState(bench);
     states[int(Step::Report)] = {Standing::Todo,
-                                 project.cast ? tr("Ready to print") : tr("Waits for Deform")};
+                                 project.cast ? Words::tr("Ready to print") : Words::tr("Waits for Deform")};
     return states;
 }
 
@@ -126,12 +124,12 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
     rows.push_back({.id = u"surface"_s,
                     .parent = 0,
                     .iconName = u"edges"_s,
-                    .name = tr("Surface"),
-                    .value = tr("%1 faces").arg(project.part->faceCount())});
+                    .name = Words::tr("Surface"),
+                    .value = Words::tr("%1 faces").arg(project.part->faceCount())});
     if (project.state) {
         rows.push_back({.id = u"plane"_s,
                         .iconName = u"plane"_s,
-                        .name = tr("Parting plane"),
+                        .name = Words::tr("Parting plane"),
                         .value = planeTilt(*project.state),
                         .visible = visible.plane,
                         .strong = true});
@@ -141,14 +139,14 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
                             .parent = plane,
                             .iconName = u"direction"_s,
                             .tint = toColor(side == 1 ? t.side1 : t.side2),
-                            .name = tr("Direction %1").arg(side),
+                            .name = Words::tr("Direction %1").arg(side),
                             .value = angleText(tiltDegrees(*project.state, side)),
                             .visible = visible.directions});
     }
     const StepState deform = deformState(bench);
     rows.push_back({.id = u"deform"_s,
                     .iconName = u"deform"_s,
-                    .name = tr("Deform"),
+                    .name = Words::tr("Deform"),
                     .value = deform.words,
                     .strong = true,
                     .stale = deform.standing == Standing::Stale});
@@ -158,14 +156,14 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
             .id = u"cast"_s,
             .parent = parent,
             .iconName = u"result"_s,
-            .name = tr("Cast"),
+            .name = Words::tr("Cast"),
             .value = checkState(bench).words,
         });
     }
     const StepState mold = moldState(bench);
     ProjectRow moldRow{.id = u"mold"_s,
                        .iconName = u"mold"_s,
-                       .name = tr("Mold"),
+                       .name = Words::tr("Mold"),
                        .value = mold.words,
                        .strong = true,
                        .stale = mold.standing == Standing::Stale};
@@ -179,14 +177,14 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
                         .parent = parent,
                         .iconName = u"block"_s,
                         .tint = toColor(t.side1),
-                        .name = tr("Half 1"),
+                        .name = Words::tr("Half 1"),
                         .value = sizeText(bench.mold()->half1.size),
                         .stale = stale});
         rows.push_back({.id = u"half-2"_s,
                         .parent = parent,
                         .iconName = u"block"_s,
                         .tint = toColor(t.side2),
-                        .name = tr("Half 2"),
+                        .name = Words::tr("Half 2"),
                         .value = sizeText(bench.mold()->half2.size),
                         .stale = stale});
     }
@@ -196,22 +194,24 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
 Verdict verdictOf(const Workbench& bench) {
     const Project& project = bench.project();
     if (!project.part)
-        return {Standing::Info, tr("No part open"), tr("Open a mesh or a sample")};
+        return {Standing::Info, Words::tr("No part open"), Words::tr("Open a mesh or a sample")};
     const QString required = angleText(project.design.draftDegrees);
     if (bench.castIsProved()) {
         const QString proved = draftText(bench.analysis()->certificate->worstDraftDegrees);
         if (bench.moldIsCurrent() && bench.mold()->verified())
-            return {Standing::Done, tr("Castable and opens"),
-                    tr("Cast and halves proved at %1 draft").arg(proved)};
-        return {Standing::Done, tr("Castable"), tr("Proved at %1 draft, %2 required").arg(proved, required)};
+            return {Standing::Done, Words::tr("Castable and opens"),
+                    Words::tr("Cast and halves proved at %1 draft").arg(proved)};
+        return {Standing::Done, Words::tr("Castable"),
+                Words::tr("Proved at %1 draft, %2 required").arg(proved, required)};
     }
     const DraftAnalysis* analysis = bench.shownAnalysis();
     if (!analysis)
-        return {Standing::Info, tr("Not castable yet"), tr("Measuring the draft")};
+        return {Standing::Info, Words::tr("Not castable yet"), Words::tr("Measuring the draft")};
     if (analysis->violatingArea > 0)
-        return {Standing::Failing, tr("Not castable yet"),
-                tr("%1 of the surface below %2").arg(percentText(analysis->violatingAreaFraction), required)};
-    return {Standing::Warning, tr("Not castable yet"), tr("No undercut seen; Run proves it")};
+        return {Standing::Failing, Words::tr("Not castable yet"),
+                Words::tr("%1 of the surface below %2")
+                    .arg(percentText(analysis->violatingAreaFraction), required)};
+    return {Standing::Warning, Words::tr("Not castable yet"), Words::tr("No undercut seen; Run proves it")};
 }
 
 scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode) {
@@ -227,25 +227,26 @@ scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode) {
     const auto area = [](double mm2) { return u"%1 cm²"_s.arg(mm2 / 100, 0, 'f', 1); };
     if (mode == DisplayMode::Undercuts) {
         const double all = surfaceArea(*mesh);
-        legend.title = tr("Undercuts").toStdString();
-        line(theme().scene.undercut, tr("Draft below %1").arg(angleText(required)),
+        legend.title = Words::tr("Undercuts").toStdString();
+        line(theme().scene.undercut, Words::tr("Draft below %1").arg(angleText(required)),
              area(analysis->violatingArea));
-        line(theme().scene.part, tr("Draft %1 or more").arg(angleText(required)),
+        line(theme().scene.part, Words::tr("Draft %1 or more").arg(angleText(required)),
              area(all - analysis->violatingArea));
         return legend;
     }
     std::array<double, 7> areas{};
     for (int f = 0; f < mesh->faceCount(); ++f)
         areas[scene::draftClass(analysis->faceDraft[f], required)] += doubleAreaVector(*mesh, f).norm() / 2;
-    legend.title = tr("Draft").toStdString();
+    legend.title = Words::tr("Draft").toStdString();
     const std::array<QString, 7> words = {
-        tr("below %1").arg(angleText(-15, 0)),
-        tr("%1 to %2").arg(angleText(-15, 0), angleText(-5, 0)),
-        tr("%1 to %2").arg(angleText(-5, 0), angleText(0, 0)),
-        tr("%1 to %2").arg(angleText(0, 0), angleText(required)),
-        tr("%1 to %2").arg(angleText(required), angleText(std::max(3.0, required), 0)),
-        tr("%1 to %2").arg(angleText(std::max(3.0, required), 0), angleText(std::max(10.0, required), 0)),
-        tr("above %1").arg(angleText(std::max(10.0, required), 0))};
+        Words::tr("below %1").arg(angleText(-15, 0)),
+        Words::tr("%1 to %2").arg(angleText(-15, 0), angleText(-5, 0)),
+        Words::tr("%1 to %2").arg(angleText(-5, 0), angleText(0, 0)),
+        Words::tr("%1 to %2").arg(angleText(0, 0), angleText(required)),
+        Words::tr("%1 to %2").arg(angleText(required), angleText(std::max(3.0, required), 0)),
+        Words::tr("%1 to %2")
+            .arg(angleText(std::max(3.0, required), 0), angleText(std::max(10.0, required), 0)),
+        Words::tr("above %1").arg(angleText(std::max(10.0, required), 0))};
     for (int c = 6; c >= 0; --c)
         line(scene::draftClassColours()[c], words[c], area(areas[c]));
     return legend;
@@ -254,11 +255,12 @@ scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode) {
 scene::PanelContent stateChipFor(const Workbench& bench) {
     QString words;
     if (bench.running())
-        words = bench.frame() ? tr("Step %1, live").arg(bench.frame()->frame.step) : tr("Starting");
+        words =
+            bench.frame() ? Words::tr("Step %1, live").arg(bench.frame()->frame.step) : Words::tr("Starting");
     else if (bench.castShown())
-        words = tr("Cast");
+        words = Words::tr("Cast");
     else
-        words = tr("Part as opened");
+        words = Words::tr("Part as opened");
     return {{}, {{std::nullopt, {{words.toStdString()}}, {}}}};
 }
 

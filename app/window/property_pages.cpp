@@ -23,10 +23,6 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(PropertyPages)
 };
 
-QString tr(const char* text) {
-    return Words::tr(text);
-}
-
 Property number(const QString& id, const QString& label, const QString& help, NumberProperty kind) {
     return {id, label, help, kind};
 }
@@ -41,131 +37,149 @@ Property goalReading(const QString& id, const QString& label, const QString& hel
 }
 
 PropertySection draftGoal() {
-    return {tr("Goal"),
-            {number(u"draft"_s, tr("Draft required"),
-                    tr("The least angle between the surface and the direction its half leaves in."),
+    return {Words::tr("Goal"),
+            {number(u"draft"_s, Words::tr("Draft required"),
+                    Words::tr("The least angle between the surface and the direction its half leaves in."),
                     {u"°"_s, 0, 10, 0.1, 1, true})},
             {},
             false};
 }
 
 PropertyPage partPage(const Workbench& bench, const Actions& actions) {
-    PropertyPage page{u"part"_s, u"part"_s, QString::fromStdString(bench.project().name), tr("Part"), {}};
-    page.sections.push_back({tr("Size"),
-                             {number(u"size"_s, tr("Longest side"), tr("Scales the whole part."),
-                                     {u"mm"_s, 0.1, 5000, 1, 1, false})},
+    PropertyPage page{
+        u"part"_s, u"part"_s, QString::fromStdString(bench.project().name), Words::tr("Part"), {}};
+    page.sections.push_back({Words::tr("Size"),
+                             {number(u"size"_s, Words::tr("Longest side"),
+                                     Words::tr("Scales the whole part."), {u"mm"_s, 0.1, 5000, 1, 1, false})},
                              {},
                              false});
     const NumberProperty place{u"mm"_s, -10000, 10000, 1, 1, false};
-    page.sections.push_back({tr("Place of its middle"),
-                             {number(u"x"_s, tr("X"), {}, place), number(u"y"_s, tr("Y"), {}, place),
-                              number(u"z"_s, tr("Z"), {}, place)},
-                             {actions[u"turn-x"_s], actions[u"turn-y"_s], actions[u"turn-z"_s],
-                              actions[u"lay-flat"_s], actions[u"centre"_s]},
-                             false});
-    page.sections.push_back({tr("Measured"),
-                             {reading(u"extent"_s, tr("Size, mm")), reading(u"volume"_s, tr("Volume")),
-                              reading(u"area"_s, tr("Surface")), reading(u"faces"_s, tr("Faces"))},
-                             {},
-                             false});
+    page.sections.push_back(
+        {Words::tr("Place of its middle"),
+         {number(u"x"_s, Words::tr("X"), {}, place), number(u"y"_s, Words::tr("Y"), {}, place),
+          number(u"z"_s, Words::tr("Z"), {}, place)},
+         {actions[u"turn-x"_s], actions[u"turn-y"_s], actions[u"turn-z"_s], actions[u"lay-flat"_s],
+          actions[u"centre"_s]},
+         false});
+    page.sections.push_back(
+        {Words::tr("Measured"),
+         {reading(u"extent"_s, Words::tr("Size, mm")), reading(u"volume"_s, Words::tr("Volume")),
+          reading(u"area"_s, Words::tr("Surface")), reading(u"faces"_s, Words::tr("Faces"))},
+         {},
+         false});
     return page;
 }
 
 PropertyPage planePage(const Workbench&, const Actions& actions) {
-    PropertyPage page{
-        u"plane"_s, u"plane"_s, tr("Parting plane"), tr("Drag its grips in the view, or type here."), {}};
+    PropertyPage page{u"plane"_s,
+                      u"plane"_s,
+                      Words::tr("Parting plane"),
+                      Words::tr("Drag its grips in the view, or type here."),
+                      {}};
     page.sections.push_back(draftGoal());
+    page.sections.push_back({Words::tr("Plane"),
+                             {number(u"offset"_s, Words::tr("Offset"),
+                                     Words::tr("Distance of the plane from the origin along its normal."),
+                                     {u"mm"_s, -10000, 10000, 1, 2, false})},
+                             {actions[u"best-plane"_s], actions[u"next-plane"_s], actions[u"along-normal"_s]},
+                             true});
     page.sections.push_back(
-        {tr("Plane"),
-         {number(u"offset"_s, tr("Offset"), tr("Distance of the plane from the origin along its normal."),
-                 {u"mm"_s, -10000, 10000, 1, 2, false})},
-         {actions[u"best-plane"_s], actions[u"next-plane"_s], actions[u"along-normal"_s]},
-         true});
-    page.sections.push_back(
-        {tr("Directions"),
-         {Property{u"choice"_s, tr("While it runs"),
-                   tr("How the removal directions are chosen when the part is deformed."),
-                   ChoiceProperty{{tr("Best for the plane"), tr("Along the normal"), tr("As they are")}}},
-          number(u"tilt"_s, tr("Tilt limit"), tr("How far a direction may lean from the plane's normal."),
+        {Words::tr("Directions"),
+         {Property{u"choice"_s, Words::tr("While it runs"),
+                   Words::tr("How the removal directions are chosen when the part is deformed."),
+                   ChoiceProperty{{Words::tr("Best for the plane"), Words::tr("Along the normal"),
+                                   Words::tr("As they are")}}},
+          number(u"tilt"_s, Words::tr("Tilt limit"),
+                 Words::tr("How far a direction may lean from the plane's normal."),
                  {u"°"_s, 0, 60, 1, 0, true})},
          {actions[u"best-directions"_s], actions[u"normal-directions"_s]},
          false});
     page.sections.push_back(
-        {tr("Measured"),
-         {goalReading(u"worst"_s, tr("Worst draft")), goalReading(u"below"_s, tr("Area below")),
-          goalReading(u"tilt1"_s, tr("Direction 1"), tr("Angle to the plane's normal.")),
-          goalReading(u"tilt2"_s, tr("Direction 2"), tr("Angle to the plane's normal."))},
+        {Words::tr("Measured"),
+         {goalReading(u"worst"_s, Words::tr("Worst draft")), goalReading(u"below"_s, Words::tr("Area below")),
+          goalReading(u"tilt1"_s, Words::tr("Direction 1"), Words::tr("Angle to the plane's normal.")),
+          goalReading(u"tilt2"_s, Words::tr("Direction 2"), Words::tr("Angle to the plane's normal."))},
          {},
          false});
     return page;
 }
 
 PropertyPage deformPage(const Workbench&, const Actions& actions) {
-    PropertyPage page{
-        u"deform"_s, u"deform"_s, tr("Deform"), tr("Bends the part until both halves come off."), {}};
+    PropertyPage page{u"deform"_s,
+                      u"deform"_s,
+                      Words::tr("Deform"),
+                      Words::tr("Bends the part until both halves come off."),
+                      {}};
     PropertySection goal = draftGoal();
-    goal.rows.push_back({u"method"_s, tr("Method"), tr("How the shape is bent."),
-                         ChoiceProperty{{tr("Elastic, then finish"), tr("As in the paper")}}});
+    goal.rows.push_back({u"method"_s, Words::tr("Method"), Words::tr("How the shape is bent."),
+                         ChoiceProperty{{Words::tr("Elastic, then finish"), Words::tr("As in the paper")}}});
     page.sections.push_back(goal);
     page.sections.push_back(
-        {tr("While it runs"),
-         {Property{u"choice"_s, tr("Directions"), tr("How the removal directions are chosen."),
-                   ChoiceProperty{{tr("Best for the plane"), tr("Along the normal"), tr("As they are")}}},
-          number(u"tilt"_s, tr("Tilt limit"), tr("How far a direction may lean from the plane's normal."),
+        {Words::tr("While it runs"),
+         {Property{u"choice"_s, Words::tr("Directions"), Words::tr("How the removal directions are chosen."),
+                   ChoiceProperty{{Words::tr("Best for the plane"), Words::tr("Along the normal"),
+                                   Words::tr("As they are")}}},
+          number(u"tilt"_s, Words::tr("Tilt limit"),
+                 Words::tr("How far a direction may lean from the plane's normal."),
                  {u"°"_s, 0, 60, 1, 0, true})},
          {actions[u"run"_s], actions[u"stop"_s], actions[u"restore"_s]},
          true});
     page.sections.push_back(
-        {tr("Measured"),
-         {goalReading(u"worst"_s, tr("Worst draft")), goalReading(u"below"_s, tr("Area below")),
-          goalReading(u"energy"_s, tr("Energy")), goalReading(u"volume"_s, tr("Volume")),
-          goalReading(u"distance"_s, tr("Mean distance"),
-                      tr("To the part, over its diagonal, after the best rigid fit."))},
+        {Words::tr("Measured"),
+         {goalReading(u"worst"_s, Words::tr("Worst draft")), goalReading(u"below"_s, Words::tr("Area below")),
+          goalReading(u"energy"_s, Words::tr("Energy")), goalReading(u"volume"_s, Words::tr("Volume")),
+          goalReading(u"distance"_s, Words::tr("Mean distance"),
+                      Words::tr("To the part, over its diagonal, after the best rigid fit."))},
          {},
          false});
     return page;
 }
 
 PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
-    PropertyPage page{u"mold"_s, u"mold"_s, tr("Mold"), tr("Two halves around the cast."), {}};
+    PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), Words::tr("Two halves around the cast."), {}};
     const NumberProperty wall{u"mm"_s, 1, 100, 0.5, 1, true};
     NumberProperty steel = wall;
     steel.maximum = 25;
+    page.sections.push_back({Words::tr("Block"),
+                             {number(u"wall"_s, Words::tr("Wall"),
+                                     Words::tr("Steel between the cavity and each side face."), steel),
+                              number(u"ceiling"_s, Words::tr("Over half 1"),
+                                     Words::tr("Steel over the cavity of half 1."), steel),
+                              number(u"floor"_s, Words::tr("Under half 2"),
+                                     Words::tr("Steel under the cavity of half 2."), steel)},
+                             bench.moldIsCurrent()
+                                 ? std::vector<QAction*>{actions[u"export-mold"_s], actions[u"build-mold"_s],
+                                                         actions[u"open-mold"_s]}
+                                 : std::vector<QAction*>{actions[u"build-mold"_s]},
+                             true});
     page.sections.push_back(
-        {tr("Block"),
-         {number(u"wall"_s, tr("Wall"), tr("Steel between the cavity and each side face."), steel),
-          number(u"ceiling"_s, tr("Over half 1"), tr("Steel over the cavity of half 1."), steel),
-          number(u"floor"_s, tr("Under half 2"), tr("Steel under the cavity of half 2."), steel)},
-         bench.moldIsCurrent() ? std::vector<QAction*>{actions[u"export-mold"_s], actions[u"build-mold"_s],
-                                                       actions[u"open-mold"_s]}
-                               : std::vector<QAction*>{actions[u"build-mold"_s]},
-         true});
-    page.sections.push_back(
-        {tr("Measured"),
-         {reading(u"half1"_s, tr("Half 1, mm")), reading(u"half2"_s, tr("Half 2, mm")),
-          reading(u"cavity"_s, tr("Cavity")), reading(u"halves"_s, tr("Both halves")),
-          reading(u"steel"_s, tr("Smallest steel")), reading(u"proof"_s, tr("Comes off"))},
+        {Words::tr("Measured"),
+         {reading(u"half1"_s, Words::tr("Half 1, mm")), reading(u"half2"_s, Words::tr("Half 2, mm")),
+          reading(u"cavity"_s, Words::tr("Cavity")), reading(u"halves"_s, Words::tr("Both halves")),
+          reading(u"steel"_s, Words::tr("Smallest steel")), reading(u"proof"_s, Words::tr("Comes off"))},
          {},
          false});
     return page;
 }
 
 PropertyPage castPage(const Workbench&, const Actions& actions) {
-    PropertyPage page{u"cast"_s, u"result"_s, tr("Cast"), tr("What will come out of the mold."), {}};
+    PropertyPage page{
+        u"cast"_s, u"result"_s, Words::tr("Cast"), Words::tr("What will come out of the mold."), {}};
     page.sections.push_back(
-        {tr("Castability"),
-         {goalReading(u"worst"_s, tr("Worst draft")), goalReading(u"below"_s, tr("Area below")),
-          goalReading(u"crossing"_s, tr("Self-intersections")), goalReading(u"curve"_s, tr("Parting curve")),
-          goalReading(u"proof"_s, tr("Proved"))},
+        {Words::tr("Castability"),
+         {goalReading(u"worst"_s, Words::tr("Worst draft")), goalReading(u"below"_s, Words::tr("Area below")),
+          goalReading(u"crossing"_s, Words::tr("Self-intersections")),
+          goalReading(u"curve"_s, Words::tr("Parting curve")), goalReading(u"proof"_s, Words::tr("Proved"))},
          {actions[u"build-mold"_s], actions[u"export-cast"_s], actions[u"restore"_s]},
          true});
-    page.sections.push_back({tr("Kept from the part"),
-                             {goalReading(u"distance"_s, tr("Mean distance"),
-                                          tr("Over the part's diagonal, after the best rigid fit.")),
-                              goalReading(u"volume"_s, tr("Volume")),
-                              goalReading(u"limb"_s, tr("Shortest limb"), tr("Length, cast over part."))},
-                             {},
-                             false});
+    page.sections.push_back(
+        {Words::tr("Kept from the part"),
+         {goalReading(u"distance"_s, Words::tr("Mean distance"),
+                      Words::tr("Over the part's diagonal, after the best rigid fit.")),
+          goalReading(u"volume"_s, Words::tr("Volume")),
+          goalReading(u"limb"_s, Words::tr("Shortest limb"), Words::tr("Length, cast over part."))},
+         {},
+         false});
     return page;
 }
 
@@ -205,7 +219,7 @@ void fillMeasures(PropertyPanel& panel, const Workbench& bench) {
     double shortest = 2;
     for (const LimbMeasure& limb : cast ? project.cast->limbs : std::vector<LimbMeasure>())
         shortest = std::min(shortest, limb.lengthRatio);
-    panel.setValue(u"limb"_s, measured(shortest < 2 ? percentText(shortest) : tr("no limbs"),
+    panel.setValue(u"limb"_s, measured(shortest < 2 ? percentText(shortest) : Words::tr("no limbs"),
                                        shortest < 2 ? u"≥ 85 %"_s : QString()));
 }
 
@@ -222,15 +236,16 @@ void fillProof(PropertyPanel& panel, const Workbench& bench) {
     const Certificate& proof = *bench.analysis()->certificate;
     panel.setValue(u"worst"_s, measured(draftText(proof.worstDraftDegrees),
                                         u"≥ "_s + angleText(bench.project().design.draftDegrees)));
-    panel.setValue(u"crossing"_s,
-                   measured(proof.selfIntersectionFree ? tr("none") : tr("found"), tr("none")));
-    panel.setMissesGoal(u"crossing"_s, !proof.selfIntersectionFree);
     panel.setValue(
-        u"curve"_s,
-        measured(proof.curvesSimpleAndNested && proof.curvesOnPlane ? tr("simple") : tr("crosses itself"),
-                 tr("simple")));
+        u"crossing"_s,
+        measured(proof.selfIntersectionFree ? Words::tr("none") : Words::tr("found"), Words::tr("none")));
+    panel.setMissesGoal(u"crossing"_s, !proof.selfIntersectionFree);
+    panel.setValue(u"curve"_s,
+                   measured(proof.curvesSimpleAndNested && proof.curvesOnPlane ? Words::tr("simple")
+                                                                               : Words::tr("crosses itself"),
+                            Words::tr("simple")));
     panel.setMissesGoal(u"curve"_s, !(proof.curvesSimpleAndNested && proof.curvesOnPlane));
-    panel.setValue(u"proof"_s, measured(proof.holds() ? tr("yes") : tr("no")));
+    panel.setValue(u"proof"_s, measured(proof.holds() ? Words::tr("yes") : Words::tr("no")));
     panel.setMissesGoal(u"proof"_s, !proof.holds());
 }
 
@@ -253,9 +268,9 @@ void fillMold(PropertyPanel& panel, const Workbench& bench) {
     panel.setValue(u"halves"_s,
                    measured(u"%1 cm³"_s.arg((mold.half1.volume + mold.half2.volume) / 1000, 0, 'f', 0)));
     panel.setValue(u"steel"_s, measured(u"%1 mm"_s.arg(mold.minWall, 0, 'f', 2)));
-    panel.setValue(u"proof"_s, measured(!bench.moldIsCurrent() ? tr("out of date")
-                                        : mold.verified()      ? tr("proved")
-                                                               : tr("no")));
+    panel.setValue(u"proof"_s, measured(!bench.moldIsCurrent() ? Words::tr("out of date")
+                                        : mold.verified()      ? Words::tr("proved")
+                                                               : Words::tr("no")));
     panel.setMissesGoal(u"proof"_s, !mold.verified());
 }
 
@@ -288,14 +303,15 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
     DesignSettings design = project.design;
     MoldSettings mold = project.mold;
     if (id == u"size"_s)
-        return Edit{tr("Scale the part"), withPlacement(project, scaledTo(project, number))};
+        return Edit{Words::tr("Scale the part"), withPlacement(project, scaledTo(project, number))};
     for (int axis = 0; axis < 3; ++axis)
         if (id == QString(QChar(u'x' + axis)))
-            return Edit{tr("Move the part"), withPlacement(project, placedAt(project, axis, number))};
+            return Edit{Words::tr("Move the part"), withPlacement(project, placedAt(project, axis, number))};
     if (id == u"offset"_s && project.state) {
         PartingPlane plane = project.state->plane;
         plane.offset = number;
-        return Edit{tr("Move the plane"), withState(project, scene::withPlane(*project.state, plane), true)};
+        return Edit{Words::tr("Move the plane"),
+                    withState(project, scene::withPlane(*project.state, plane), true)};
     }
     if (id == u"draft"_s)
         design.draftDegrees = number;
@@ -312,9 +328,9 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
     else if (id == u"floor"_s)
         mold.floor = number;
     if (!(design == project.design))
-        return Edit{tr("Change the deformation's settings"), withDesignSettings(project, design)};
+        return Edit{Words::tr("Change the deformation's settings"), withDesignSettings(project, design)};
     if (!(mold == project.mold))
-        return Edit{tr("Change the block"), withMoldSettings(project, mold)};
+        return Edit{Words::tr("Change the block"), withMoldSettings(project, mold)};
     return std::nullopt;
 }
 

@@ -48,8 +48,11 @@ struct ProgressPlots::Plot {
     [[nodiscard]] QString label(double height) const {
         if (!logarithmic)
             return signedNumber(height, std::abs(height - std::round(height)) > 0.01 ? 1 : 0) + suffix;
-        const double value = std::pow(10, height);
-        return value >= 0.01 ? QString::number(value) : QString::number(value, 'e', 0);
+        QString power = QString::number(std::lround(height));
+        const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+        for (int digit = 0; digit < 10; ++digit)
+            power.replace(QChar(u'0' + digit), digits[digit]);
+        return QStringLiteral("10") + power.replace(u'-', u'⁻');
     }
 };
 

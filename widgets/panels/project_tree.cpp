@@ -152,8 +152,8 @@ ProjectTree::ProjectTree(ProjectModel* model, QWidget* parent) : QTreeView(paren
     setAccessibleName(tr("Project"));
     header()->setStretchLastSection(false);
     header()->setMinimumSectionSize(24);
-    header()->setSectionResizeMode(ProjectModel::Name, QHeaderView::Stretch);
-    header()->setSectionResizeMode(ProjectModel::Value, QHeaderView::ResizeToContents);
+    header()->setSectionResizeMode(ProjectModel::Name, QHeaderView::ResizeToContents);
+    header()->setSectionResizeMode(ProjectModel::Value, QHeaderView::Stretch);
     header()->setSectionResizeMode(ProjectModel::Eye, QHeaderView::Fixed);
     header()->resizeSection(ProjectModel::Eye, 28);
     connect(model, &QAbstractItemModel::modelReset, this, &QTreeView::expandAll);

@@ -72,9 +72,10 @@ std::optional<double> quantityFromText(QString text, const QString& unit) {
     text.replace(minusSign, u'-').replace(u'×', u'*').replace(u',', u'.');
     text.remove(QRegularExpression(QStringLiteral("\\s")));
     double factor = 1;
+    // A field's own unit may stand behind a typed one: "2 in mm" is two inches.
     if (!unit.isEmpty() && text.endsWith(unit))
         text.chop(unit.size());
-    else if (unit == QStringLiteral("mm"))
+    if (unit == QStringLiteral("mm"))
         for (const LengthUnit& length : lengthUnits)
             if (const QString name = QString::fromLatin1(length.name); text.endsWith(name)) {
                 text.chop(name.size());

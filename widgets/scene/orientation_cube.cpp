@@ -20,7 +20,6 @@ namespace moldwright::scene {
 
 namespace {
 
-constexpr double corner = 104;    ///< side of the cube's square in the view, logical pixels
 constexpr double halfSeen = 1.85; ///< half edges from the centre to the square's border
 constexpr int textureSize = 160;
 
@@ -166,8 +165,8 @@ void OrientationCube::setLook(const SceneColours& colours, const CubeWords& word
 }
 
 void OrientationCube::arrange(const Camera& camera, ViewSize view) {
-    const double side = corner * m_scale;
-    m_renderer->SetViewport(std::max(0.0, 1 - side / view.width), std::max(0.0, 1 - side / view.height), 1,
+    const double wide = side * m_scale;
+    m_renderer->SetViewport(std::max(0.0, 1 - wide / view.width), std::max(0.0, 1 - wide / view.height), 1,
                             1);
     vtkCamera* eye = m_renderer->GetActiveCamera();
     eye->SetFocalPoint(0, 0, 0);
@@ -179,7 +178,7 @@ void OrientationCube::arrange(const Camera& camera, ViewSize view) {
 
 std::optional<Eigen::Vector3d> OrientationCube::viewAt(const Camera& camera, ViewSize view, double x,
                                                        double y) const {
-    const double half = corner * m_scale / 2;
+    const double half = side * m_scale / 2;
     return cubeView(camera, (x - (view.width - half)) / half * halfSeen, (half - y) / half * halfSeen);
 }
 

@@ -31,6 +31,8 @@ using CubeWords = std::array<std::string, 6>;
 /// A cube in the upper right corner of the view that turns with the camera.
 class OrientationCube {
 public:
+    static constexpr double side = 104; ///< of its square in the view, logical pixels
+
     OrientationCube();
     ~OrientationCube();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "scene/overlay.h"
 
+#include "scene/orientation_cube.h"
+
 #include <vtkActor2D.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper2D.h>
@@ -132,6 +134,8 @@ void Overlay::arrange(const Camera& camera, ViewSize view) {
     std::vector<Spot> taken = {
         {gap, gap, m_legend.width(), m_legend.height()},
         {gap, view.height - gap - m_state.height(), m_state.width(), m_state.height()}};
+    const double side = OrientationCube::side * m_scale;
+    const Spot cube{view.width - side, view.height - side, side, side};
     for (std::size_t i = 0; i < m_chips.size(); ++i) {
         OverlayPanel& panel = *m_chipPanels[i];
         const Eigen::Vector3d pixel = camera.project(m_chips[i].place, view);
@@ -141,6 +145,8 @@ void Overlay::arrange(const Camera& camera, ViewSize view) {
                   view.height - pixel.y() - panel.height() / 2, panel.width(), panel.height()};
         spot.left = std::clamp(spot.left, gap, std::max(gap, view.width - panel.width() - gap));
         spot.bottom = std::clamp(spot.bottom, gap, std::max(gap, view.height - panel.height() - gap));
+        if (spot.overlaps(cube))
+            spot.left = cube.left - panel.width() - 4 * m_scale;
         for (const Spot& other : taken)
             if (spot.overlaps(other))
                 spot.bottom = other.bottom + other.height + 4 * m_scale;

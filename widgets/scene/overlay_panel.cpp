@@ -140,13 +140,17 @@ double OverlayPanel::layOut(const PanelContent& content, const SceneColours& col
 
 double OverlayPanel::addText(const PanelContent::Run& run, const SceneColours& colours, double size, double x,
                              double y) {
+    // Noto Sans has no minus sign, and VTK no fallback font: the en dash is as wide and as high.
+    std::string words = run.text;
+    for (std::size_t at = words.find("−"); at != std::string::npos; at = words.find("−", at))
+        words.replace(at, std::string("−").size(), "–");
     vtkNew<vtkTextActor> text;
-    text->SetInput(run.text.c_str());
+    text->SetInput(words.c_str());
     text->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
     useFont(text->GetTextProperty(), run.bold, size);
     text->GetTextProperty()->SetColor(inkColour(run.ink, colours).unit().data());
     std::array<int, 4> box = {};
-    vtkTextRenderer::GetInstance()->GetBoundingBox(text->GetTextProperty(), run.text, box.data(), 72);
+    vtkTextRenderer::GetInstance()->GetBoundingBox(text->GetTextProperty(), words, box.data(), 72);
     m_pieces.push_back({text.Get(), std::round(x), std::round(y)});
     return x + box[1] - box[0];
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double arrowShare = 0.17; ///< of the part's diagonal
 constexpr double arrowGap = 0.03;
-constexpr double openShare = 0.9; ///< of the part's diagonal, each half
+constexpr double openShare = 0.5; ///< of the part's diagonal, each half
 
 /// Three lights that turn with the camera: a soft key from above left, fill from the right, a little rim.
 void addLights(vtkRenderer* renderer) {

@@ -83,7 +83,9 @@ void PartView::setPerspective(bool perspective) {
 }
 
 void PartView::fitAll(bool atOnce) {
-    const scene::Camera fit = scene::fitted(m_camera, m_scene.box(), viewSize());
+    // A turn that is under way goes on to its end.
+    const bool turning = m_ease.state() == QAbstractAnimation::Running;
+    const scene::Camera fit = scene::fitted(turning ? m_easeTo : m_camera, m_scene.box(), viewSize());
     atOnce ? setCamera(fit) : easeTo(fit);
 }
 

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Edits of the document through the real window: by grips, fields, keys, undo and redo, files.
+#include "app/window_driver.h"
+
+#include "mesh/measures.h"
+#include "panels/command_search.h"
+#include "panels/workflow_bar.h"
+#include "support/folders.h"
+#include "view/part_view.h"
+#include "window/document.h"
+#include "window/main_window.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QSpinBox>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace moldwright;
+using test::WindowDriver;
+
+namespace {
+
+void drag(PartView& view, QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+          Qt::KeyboardModifiers keys = {}) {
+    QTest::mousePress(&view, button, keys, from);
+    for (int step = 1; step <= 8; ++step) {
+        const QPoint at = from + (to - from) * step / 8;
+        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, button, keys);
+        QApplication::sendEvent(&view, &move);
+        QTest::qWait(10);
+    }
+    QTest::mouseRelease(&view, button, keys, to);
+    QTest::qWait(20);
+}
+
+} // namespace
+
+TEST(Editing, DraggingTheGripMovesThePlaneInOneUndoStepAndTheRedFacesFollow) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("rabbit"));
+    PartView& view = driver.window().view();
+    const MoldState before = *driver.bench().project().state;
+    const double areaBefore = driver.bench().analysis()->analysis.violatingArea;
+    const QPoint grip = view.gripPixel(scene::PlaneGrip::Slide);
+    drag(view, grip, grip + QPoint(0, -60));
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_GT(driver.bench().project().state->plane.offset, before.plane.offset + 1);
+    EXPECT_NE(driver.bench().analysis()->analysis.violatingArea, areaBefore);
+    EXPECT_EQ(driver.bench().document().history().steps().size(), 1U);
+    driver.press("Ctrl+Z");
+    EXPECT_EQ(*driver.bench().project().state, before);
+    driver.press("Ctrl+Shift+Z");
+    EXPECT_NE(*driver.bench().project().state, before);
+}
+
+TEST(Editing, TheLeftButtonNeverOrbitsAndTheMiddleButtonFollowsTheScheme) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("rabbit"));
+    PartView& view = driver.window().view();
+    const auto turn = view.camera().turn;
+    const auto focus = view.camera().focus;
+    const QPoint middle(view.width() / 2, view.height() / 2);
+    drag(view, QPoint(20, 120), middle);
+    EXPECT_TRUE(view.camera().turn.isApprox(turn));
+    EXPECT_TRUE(view.camera().focus.isApprox(focus));
+    drag(view, middle, middle + QPoint(50, 10), Qt::MiddleButton);
+    EXPECT_TRUE(view.camera().turn.isApprox(turn));
+    EXPECT_FALSE(view.camera().focus.isApprox(focus, 1e-6));
+    drag(view, middle, middle + QPoint(50, 10), Qt::MiddleButton, Qt::ShiftModifier);
+    EXPECT_FALSE(view.camera().turn.isApprox(turn, 1e-6));
+}
+
+TEST(Editing, AWalkOfEditsUndosAndRedosComesBackToEqualProjects) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    Document& document = driver.bench().document();
+    std::vector<Project> states = {document.committed()};
+    std::mt19937 random(7);
+    const std::vector<const char*> edits = {"turn-x", "turn-y", "turn-z", "centre", "normal-directions"};
+    for (int step = 0; step < 120; ++step) {
+        const unsigned choice = random() % 8;
+        if (choice < 5) {
+            driver.window().actions()[QString::fromLatin1(edits[choice])]->trigger();
+            states.resize(document.history().done() +
+                          (sameProject(document.committed(), states.back()) ? 1 : 0));
+            if (states.size() == document.history().done())
+                states.push_back(document.committed());
+        } else if (choice < 7) {
+            document.undo();
+        } else {
+            document.redo();
+        }
+        ASSERT_TRUE(sameProject(document.committed(), states[document.history().done()])) << "step " << step;
+    }
+    while (document.history().canUndo())
+        document.undo();
+    EXPECT_TRUE(sameProject(document.committed(), states.front()));
+}
+
+TEST(Editing, TypingALengthScalesThePart) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    auto* field = driver.window().findChild<QDoubleSpinBox*>(QStringLiteral("field-size"));
+    ASSERT_TRUE(field);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("2 in"));
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_NEAR(boundingBox(*driver.bench().project().part).sizes().maxCoeff(), 50.8, 0.01);
+}
+
+TEST(Editing, ACommandIsFoundByItsWords) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.press("Ctrl+K");
+    auto* search = driver.window().findChild<CommandSearch*>();
+    ASSERT_TRUE(search->hasFocus());
+    QTest::keyClicks(search, QStringLiteral("turn z"));
+    QTest::keyClick(search, Qt::Key_Return);
+    EXPECT_EQ(driver.bench().document().history().steps().size(), 1U);
+}
+
+TEST(Editing, AProjectSavedAndOpenedIsTheSame) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.window().actions()[QStringLiteral("turn-x")]->trigger();
+    const Project before = driver.bench().document().committed();
+    const test::ScratchFolder folder;
+    const QString file = QString::fromStdString((folder.path() / "praline.moldwright").string());
+    driver.answerFileDialog(file);
+    driver.press("Ctrl+S");
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_FALSE(driver.bench().document().isChanged());
+    QAction* close = driver.window().actions()[QStringLiteral("start-page")];
+    ASSERT_TRUE(driver.waitFor([&] { return close->isEnabled(); }));
+    close->trigger();
+    ASSERT_FALSE(driver.bench().project().part);
+    driver.window().openPath(file);
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().project().part != nullptr; }));
+    const Project& after = driver.bench().project();
+    EXPECT_EQ(after.part->V, before.part->V);
+    EXPECT_EQ(after.state, before.state);
+    EXPECT_EQ(after.name, before.name);
+}
+
+TEST(Editing, ThemeAndLanguageChangeAtRunTime) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("goat_head"));
+    driver.window().actions()[QStringLiteral("theme-dark")]->trigger();
+    driver.shot("10-dark");
+    EXPECT_LT(QApplication::palette().color(QPalette::Window).lightness(), 80);
+    driver.program().setLanguage(QStringLiteral("de"));
+    QTest::qWait(300);
+    EXPECT_EQ(driver.window().actions()[QStringLiteral("undo")]->text(), QStringLiteral("&Rückgängig"));
+    EXPECT_TRUE(driver.bench().project().part);
+    driver.shot("11-german");
+    driver.program().setLanguage(QStringLiteral("en"));
+    driver.window().actions()[QStringLiteral("theme-light")]->trigger();
+    driver.window().actions()[QStringLiteral("show-draft")]->trigger();
+    driver.shot("12-draft-map");
+    driver.window().resize(1100, 720);
+    driver.shot("13-small");
+}
+
+TEST(Editing, AnOpenMeshIsRefusedWithASentence) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    const test::ScratchFolder folder;
+    IndexedMesh holed = *driver.bench().project().part;
+    holed.F.conservativeResize(holed.F.rows() - 1, 3);
+    const std::filesystem::path file = folder.path() / "holed.ply";
+    ASSERT_TRUE(writeMesh(file, holed, MeshFormat::Ply));
+    QString headline;
+    QObject::connect(&driver.bench(), &Workbench::problem, [&](const QString& words) { headline = words; });
+    driver.window().openPath(QString::fromStdString(file.string()));
+    ASSERT_TRUE(driver.waitFor([&] { return !headline.isEmpty(); }));
+    EXPECT_TRUE(headline.contains(QStringLiteral("holed.ply"))) << headline.toStdString();
+    driver.shot("14-error");
+}
