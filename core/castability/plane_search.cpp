@@ -18,8 +18,9 @@ namespace moldwright {
 namespace {
 
 constexpr int kProxyFaces = 2000;
-constexpr int kAxisSteps = 20;      ///< planes square to each axis that are always tried
-constexpr double kSmallSide = 0.15; ///< below this share of the volume a side counts as too small
+constexpr double kDistinctShare = 0.06; ///< of the part's extent along the normal
+constexpr int kAxisSteps = 20;          ///< planes square to each axis that are always tried
+constexpr double kSmallSide = 0.15;     ///< below this share of the volume a side counts as too small
 
 /// A candidate on the way: in the frame of the scaled mesh.
 struct Trial {
@@ -157,22 +158,25 @@ private:
     double m_reach = 0;
 };
 
-bool distinct(const MoldState& a, const MoldState& b) {
+/// Planes are distinct when they lean differently or cut at clearly different heights of the part.
+bool distinct(const IndexedMesh& mesh, const MoldState& a, const MoldState& b) {
     const double cosine = a.plane.normal.dot(b.plane.normal);
     if (std::abs(cosine) < std::cos(radians(12)))
         return true;
+    const Eigen::VectorXd heights = mesh.V * a.plane.normal;
     const double offset = cosine > 0 ? b.plane.offset : -b.plane.offset;
-    return std::abs(a.plane.offset - offset) > 0.04;
+    return std::abs(a.plane.offset - offset) > kDistinctShare * (heights.maxCoeff() - heights.minCoeff());
 }
 
 /// The best trials that are distinct from each other, best first.
-std::vector<Trial> bestDistinct(std::vector<Trial> trials, std::size_t count) {
+std::vector<Trial> bestDistinct(const IndexedMesh& mesh, std::vector<Trial> trials, std::size_t count) {
     std::stable_sort(trials.begin(), trials.end(),
                      [](const Trial& a, const Trial& b) { return a.score < b.score; });
     std::vector<Trial> kept;
     for (const Trial& trial : trials) {
-        const bool isNew = std::all_of(
-            kept.begin(), kept.end(), [&](const Trial& other) { return distinct(trial.state, other.state); });
+        const bool isNew = std::all_of(kept.begin(), kept.end(), [&](const Trial& other) {
+            return distinct(mesh, trial.state, other.state);
+        });
         if (isNew)
             kept.push_back(trial);
         if (kept.size() == count)
@@ -222,7 +226,7 @@ std::vector<PlaneCandidate> findPlanes(const IndexedMesh& mesh, const PlaneSearc
         for (std::size_t i = begin; i < end; ++i)
             trials[i] = {states[i], score(search, states[i], castabilityEnergy(proxy, states[i], tau))};
     });
-    trials = bestDistinct(std::move(trials), static_cast<std::size_t>(wanted.count) + 12);
+    trials = bestDistinct(proxy, std::move(trials), static_cast<std::size_t>(wanted.count) + 12);
     std::vector<Trial> refined(trials.size());
     parallelFor(trials.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !task.stopped(); ++i) {
@@ -241,7 +245,7 @@ std::vector<PlaneCandidate> findPlanes(const IndexedMesh& mesh, const PlaneSearc
     }
 
     std::vector<PlaneCandidate> candidates;
-    for (const Trial& trial : bestDistinct(std::move(refined), static_cast<std::size_t>(wanted.count)))
+    for (const Trial& trial : bestDistinct(proxy, std::move(refined), static_cast<std::size_t>(wanted.count)))
         candidates.push_back(describe(full, trial.state, centre, scale, wanted.draftDegrees));
     return candidates;
 }

@@ -27,8 +27,8 @@ struct CleanUpGoal {
 /// where neither helps by moving one of their points to a better place about its neighbours' middle. A change
 /// is made only where the worst draft of the faces around it rises, or, for the short and the thin, does not
 /// fall below τ or where it was. The parting line stays simple: no collapse sweeps it over one of its points,
-/// leaves a loop of three, lays a face into the plane, or flips an edge between labels. Points keep their
-/// order; removed ones are gone. Returns the number of changes made.
+/// leaves a loop of three, lays a face into the plane, or flips an edge between labels. Where points are
+/// removed others take their places; sourceVertex follows. Returns the number of changes made.
 int cleanUp(LabelledSurface& surface, const CleanUpGoal& goal);
 
 } // namespace moldwright
