@@ -59,4 +59,15 @@ TEST(WholeJob, SampleToMold) {
     ASSERT_TRUE(driver.waitIdle());
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "mold-half-1.stl"));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "mold-half-2.stl"));
+
+    driver.answerFileDialog(QString::fromStdString((folder.path() / "cast.ply").string()));
+    driver.press("Ctrl+E");
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "cast.ply"));
+
+    driver.answerFileDialog(QString::fromStdString((folder.path() / "report.pdf").string()));
+    driver.press("Ctrl+P");
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "report.pdf"))
+        << driver.bench().messages()->at(0).text.toStdString();
 }

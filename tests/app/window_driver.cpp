@@ -32,8 +32,10 @@ bool WindowDriver::waitFor(const std::function<bool()>& condition, int milliseco
 }
 
 bool WindowDriver::waitIdle(int milliseconds) {
-    return waitFor([this] { return !bench().background().busy() && bench().analysisIsCurrent(); },
-                   milliseconds);
+    const bool idle =
+        waitFor([this] { return !bench().background().busy() && bench().analysisIsCurrent(); }, milliseconds);
+    QTest::qWait(50); // the window follows the workbench with the next events
+    return idle;
 }
 
 void WindowDriver::press(const char* keys) {
