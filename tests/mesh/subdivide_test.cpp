@@ -54,13 +54,16 @@ TEST(Subdivide, APointMayHaveManyNeighbours) {
     const int sides = 80;
     IndexedMesh spindle;
     spindle.V.resize(sides + 2, 3);
-    spindle.F.resize(2 * sides, 3);
+    Triangles upper(sides, 3);
+    Triangles lower(sides, 3);
     for (int i = 0; i < sides; ++i) {
         const double angle = 2 * std::numbers::pi * i / sides;
         spindle.V.row(i) << std::cos(angle), std::sin(angle), 0;
-        spindle.F.row(2 * i) << i, (i + 1) % sides, sides;
-        spindle.F.row(2 * i + 1) << (i + 1) % sides, i, sides + 1;
+        upper.row(i) << i, (i + 1) % sides, sides;
+        lower.row(i) << (i + 1) % sides, i, sides + 1;
     }
+    spindle.F.resize(upper.rows() + lower.rows(), 3);
+    spindle.F << upper, lower;
     spindle.V.row(sides) << 0, 0, 1;
     spindle.V.row(sides + 1) << 0, 0, -1;
     // 1 − α of the tip stays, its neighbours lie at height 0.
