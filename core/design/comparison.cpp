@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kProminence = 0.025; ///< of the diagonal: less is no limb
 constexpr double kFirstReach = 0.04;  ///< of the diagonal: a joint is not looked for nearer to the tip
+constexpr double kLeastVolume = 1e-6; ///< of the diagonal cubed
 constexpr double kLongestReach = 0.6;
 constexpr double kReachStep = 0.01;
 constexpr double kWidening = 2.6; ///< dA/dr over A/r: a tube has 1, a cone 2, a joint more
