@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 namespace moldwright {
 
@@ -77,6 +77,72 @@ double capVolume(const IndexedMesh& mesh, const std::vector<char>& inside, const
     return sum;
 }
 
+/// Both shapes with their edge graphs, and which point of the cast each point of the part became (−1: none).
+struct Before {
+    const IndexedMesh& parted;
+    double size;
+    EdgeGraph graph;
+    EdgeGraph castGraph;
+    std::vector<int> castVertex;
+
+    Before(const IndexedMesh& part, const IndexedMesh& cast, const std::vector<int>& sourceVertex)
+        : parted(part), size(diagonal(part)), graph(part), castGraph(cast),
+          castVertex(static_cast<std::size_t>(part.vertexCount()), -1) {
+        for (std::size_t v = 0; v < sourceVertex.size(); ++v)
+            castVertex[static_cast<std::size_t>(sourceVertex[v])] = static_cast<int>(v);
+    }
+};
+
+std::vector<int> tipsOf(const Before& before, const std::vector<Eigen::Vector3d>& wanted) {
+    if (wanted.empty())
+        return limbTips(before.graph, kProminence * before.size);
+    std::vector<int> tips;
+    for (const Eigen::Vector3d& p : wanted) {
+        Eigen::Index nearest = 0;
+        (before.parted.V.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+        tips.push_back(static_cast<int>(nearest));
+    }
+    return tips;
+}
+
+/// One limb; none where its tip is gone, or where it encloses next to nothing (the corner of a plate).
+std::optional<LimbMeasure> measureLimb(const Before& before, const IndexedMesh& cast, int tip) {
+    const int castTip = before.castVertex[static_cast<std::size_t>(tip)];
+    if (castTip < 0)
+        return std::nullopt;
+    const std::vector<double> was = before.graph.distances({tip});
+    const std::vector<double> is = before.castGraph.distances({castTip});
+    const double reach = jointReach(before.parted, was, before.size);
+    std::vector<char> inside(was.size(), 0);
+    std::vector<char> castInside(is.size(), 0);
+    double lengthWas = 0;
+    double lengthIs = 0;
+    int rim = 0;
+    Eigen::Vector3d apexWas = Eigen::Vector3d::Zero();
+    Eigen::Vector3d apexIs = Eigen::Vector3d::Zero();
+    for (std::size_t v = 0; v < was.size(); ++v) {
+        const int c = before.castVertex[v];
+        inside[v] = was[v] <= reach;
+        if (c < 0)
+            continue;
+        castInside[static_cast<std::size_t>(c)] = inside[v];
+        if (std::abs(was[v] - reach) > kReachStep * before.size)
+            continue;
+        lengthWas += was[v];
+        lengthIs += is[static_cast<std::size_t>(c)];
+        apexWas += before.parted.point(static_cast<int>(v));
+        apexIs += cast.point(c);
+        ++rim;
+    }
+    if (rim == 0)
+        return std::nullopt;
+    const double volumeWas = capVolume(before.parted, inside, apexWas / rim);
+    if (!(volumeWas > kLeastVolume * before.size * before.size * before.size))
+        return std::nullopt;
+    return LimbMeasure{before.parted.point(tip), lengthIs / lengthWas,
+                       capVolume(cast, castInside, apexIs / rim) / volumeWas};
+}
+
 } // namespace
 
 Eigen::Isometry3d bestRigidFit(const Points& from, const Points& to) {
@@ -104,57 +170,11 @@ Change measureChange(const IndexedMesh& part, const IndexedMesh& parted, const I
 std::vector<LimbMeasure> measureLimbs(const IndexedMesh& parted, const IndexedMesh& cast,
                                       const std::vector<int>& sourceVertex,
                                       const std::vector<Eigen::Vector3d>& wanted) {
-    const double size = diagonal(parted);
-    const EdgeGraph before(parted);
-    const EdgeGraph after(cast);
-    std::vector<int> castVertex(static_cast<std::size_t>(parted.vertexCount()), -1);
-    for (std::size_t v = 0; v < sourceVertex.size(); ++v)
-        castVertex[static_cast<std::size_t>(sourceVertex[v])] = static_cast<int>(v);
-
-    std::vector<int> tips;
-    for (const Eigen::Vector3d& p : wanted) {
-        Eigen::Index nearest = 0;
-        (parted.V.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-        tips.push_back(static_cast<int>(nearest));
-    }
-    if (wanted.empty())
-        tips = limbTips(before, kProminence * size);
-
+    const Before before(parted, cast, sourceVertex);
     std::vector<LimbMeasure> limbs;
-    for (const int tip : tips) {
-        const int castTip = castVertex[static_cast<std::size_t>(tip)];
-        if (castTip < 0)
-            continue;
-        const std::vector<double> was = before.distances({tip});
-        const std::vector<double> is = after.distances({castTip});
-        const double reach = jointReach(parted, was, size);
-        std::vector<char> inside(was.size(), 0);
-        std::vector<char> castInside(sourceVertex.size(), 0);
-        double lengthWas = 0;
-        double lengthIs = 0;
-        int rim = 0;
-        Eigen::Vector3d apexWas = Eigen::Vector3d::Zero();
-        Eigen::Vector3d apexIs = Eigen::Vector3d::Zero();
-        for (std::size_t v = 0; v < was.size(); ++v) {
-            const int c = castVertex[v];
-            inside[v] = was[v] <= reach;
-            if (c < 0)
-                continue;
-            castInside[static_cast<std::size_t>(c)] = inside[v];
-            if (std::abs(was[v] - reach) > kReachStep * size)
-                continue;
-            lengthWas += was[v];
-            lengthIs += is[static_cast<std::size_t>(c)];
-            apexWas += parted.point(static_cast<int>(v));
-            apexIs += cast.point(c);
-            ++rim;
-        }
-        if (rim == 0)
-            continue;
-        limbs.push_back(
-            {parted.point(tip), lengthIs / lengthWas,
-             capVolume(cast, castInside, apexIs / rim) / capVolume(parted, inside, apexWas / rim)});
-    }
+    for (const int tip : tipsOf(before, wanted))
+        if (const std::optional<LimbMeasure> limb = measureLimb(before, cast, tip))
+            limbs.push_back(*limb);
     return limbs;
 }
 
