@@ -11,9 +11,10 @@ using namespace moldwright::bench;
 
 static void firstDirections(benchmark::State& state) {
     const Subject& subject = subjectOf(state);
+    Best best(state);
     for (auto _ : state)
-        state.SetIterationTime(secondsOf(
-            [&] { benchmark::DoNotOptimize(bestDirections(*subject.part, subject.state.plane, 1, 30)); }));
+        best.round(
+            [&] { benchmark::DoNotOptimize(bestDirections(*subject.part, subject.state.plane, 1, 30)); });
 }
 BENCHMARK(firstDirections)->Apply(eachSubject);
 
