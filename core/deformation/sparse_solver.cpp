@@ -5,6 +5,7 @@
 #include <cholmod.h>
 #include <omp.h>
 
+#include <mutex>
 #include <optional>
 
 extern "C" void openblas_set_num_threads(int threads);
@@ -94,6 +95,9 @@ void SparseSolver::analyze(const Eigen::SparseMatrix<double>& A) {
     cholmod_free_factor(&s.factor, &s.common);
     s.fallback.reset();
     cholmod_sparse view = viewOf(A);
+    // METIS draws from the one generator of the C library: two at a time would mix their numbers.
+    static std::mutex metis;
+    const std::lock_guard lock(metis);
     s.factor = cholmod_analyze(&view, &s.common);
 }
 
@@ -122,6 +126,7 @@ Eigen::MatrixXd SparseSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& B) 
     State& s = *m_state;
     if (s.fallback)
         return s.fallback->solve(B);
+    holdToOneThread();
     cholmod_dense view = viewOf(B);
     cholmod_solve2(CHOLMOD_A, s.factor, &view, nullptr, &s.solution, nullptr, &s.workY, &s.workE, &s.common);
     return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(s.solution->x), B.rows(), B.cols());

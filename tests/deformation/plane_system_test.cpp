@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "deformation/plane_system.h"
 
+#include "base/parallel.h"
 #include "support/solids.h"
 
 #include <gtest/gtest.h>
@@ -63,4 +64,21 @@ TEST_F(System, TheShiftKeepsThePresentPlace) {
 TEST_F(System, RefusesANegativeMatrix) {
     PlaneSystem system(m_A, m_none);
     EXPECT_FALSE(system.factor(-m_A));
+}
+
+TEST_F(System, GivesTheSameBitsForAnyNumberOfThreads) {
+    const test::Solid solid = test::solidBox({-1, -1, -1}, {1, 1, 1}, {9, 8, 7});
+    const Eigen::SparseMatrix<double> A =
+        ElasticBody({solid.tets.V, solid.tets.T, solid.F, {}, 0, 0}).laplacian();
+    const Positions B = Positions::Random(A.rows(), 3);
+    std::vector<Positions> solutions;
+    for (const int threads : {1, 2, 2, 4}) {
+        setThreadCount(threads);
+        PlaneSystem system(A, std::vector<char>(static_cast<std::size_t>(A.rows()), 0));
+        ASSERT_TRUE(system.factor(A));
+        solutions.push_back(system.solve(B));
+    }
+    setThreadCount(0);
+    for (const Positions& X : solutions)
+        EXPECT_EQ(X, solutions.front());
 }
