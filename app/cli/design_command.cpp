@@ -126,6 +126,12 @@ Result<void> writeReportOf(const std::filesystem::path& folder, const Session& s
 }
 
 void tell(const DesignResult& result, const Session& session) {
+    for (const Obstruction& obstruction : result.obstructions)
+        session.tell(obstruction.message);
+    for (const Message& warning : result.warnings)
+        session.tell(warning);
+    if (!result.cast)
+        return;
     if (result.castable)
         session.out() << "Castable: every face proved at "
                       << figureRoundedDown(result.certificate.worstDraftDegrees, 2) << "° or more.\n";
@@ -133,6 +139,27 @@ void tell(const DesignResult& result, const Session& session) {
         session.out() << "Not castable: " << result.certificate.reason << '\n';
     session.out() << "Mean change " << readable(100 * result.change.meanDistance, 2)
                   << " % of the diagonal, volume " << readable(100 * result.change.volumeRatio, 3) << " %.\n";
+}
+
+/// Writes all that was made: cast, mold, project, report, JSON.
+Result<void> writeAll(const DesignOptions& options, const DesignRequest& request, const DesignResult& result,
+                      const StoredProject& project, const Session& session) {
+    const std::filesystem::path folder(options.output);
+    const std::string name = std::filesystem::path(options.input).filename().string();
+    if (auto done = writeDesign(folder, name, request, result); !done)
+        return done;
+    if (auto done = saveProject(folder / "project.moldwright", project); !done)
+        return done;
+    if (options.report)
+        if (auto done = writeReportOf(folder, session); !done)
+            return done;
+    return session.writeJson(designJson(name, request, result));
+}
+
+ExitCode answerOf(const DesignResult& result) {
+    if (result.castable)
+        return ExitCode::Yes;
+    return result.obstructions.empty() ? ExitCode::No : ExitCode::Impossible;
 }
 
 Result<ExitCode> runDesign(const DesignOptions& options, const Session& session) {
@@ -153,28 +180,17 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
     if (!result)
         return std::unexpected(result.error());
     result->warnings = sizeWarnings(*part);
-    for (const Message& warning : result->warnings)
-        session.tell(warning);
     if (options.mold && result->castable)
         if (const Result<void> done = writeMoldOf(options, *request, *result, session.task().part(0.85, 1));
             !done)
             return std::unexpected(done.error());
     whole.reset();
     result->seconds.insert(seconds.begin(), seconds.end());
-    const std::string name = std::filesystem::path(options.input).filename().string();
-    const std::filesystem::path folder(options.output);
-    if (auto done = writeDesign(folder, name, *request, *result); !done)
-        return std::unexpected(done.error());
-    const StoredProject stored{projectOf(options, *source, placement, *request, *result), "", ""};
-    if (auto done = saveProject(folder / "project.moldwright", stored); !done)
-        return std::unexpected(done.error());
-    if (options.report)
-        if (const Result<void> done = writeReportOf(folder, session); !done)
-            return std::unexpected(done.error());
-    if (auto done = session.writeJson(designJson(name, *request, *result)); !done)
+    const StoredProject project{projectOf(options, *source, placement, *request, *result), "", ""};
+    if (const Result<void> done = writeAll(options, *request, *result, project, session); !done)
         return std::unexpected(done.error());
     tell(*result, session);
-    return result->castable ? ExitCode::Yes : ExitCode::No;
+    return answerOf(*result);
 }
 
 void declareOptions(CLI::App& app, DesignOptions& o) {

@@ -148,6 +148,10 @@ void Workbench::takeResult(const Result<DesignResult>& result, const Project& fr
         say(Standing::Warning, sentence(obstruction.message),
             {obstruction.place - half, obstruction.place + half});
     }
+    if (!result->cast) {
+        Q_EMIT changed();
+        return;
+    }
     // Plane and draft may have been changed meanwhile: the result belongs to what the run began with.
     m_document.edit(tr("Deform"), withCast(from, *result, from.design.draftDegrees));
     if (result->castable)

@@ -74,14 +74,13 @@ private:
     }
 
     /// The states to try, best first: the given plane alone, or the best planes that pass the topological
-    /// certificate.
+    /// certificate. None pass: empty, and the result holds the obstructions.
     Result<std::vector<MoldState>> statesToTry(const IndexedMesh& shape) {
         if (m_request.plane) {
             const MoldState state{*m_request.plane, directionsFor(shape, *m_request.plane)};
+            m_result.state = state;
             m_result.obstructions = obstructionsAt(shape, state);
-            if (!m_result.obstructions.empty())
-                return std::unexpected(refusal());
-            return std::vector{state};
+            return m_result.obstructions.empty() ? std::vector{state} : std::vector<MoldState>{};
         }
         const Stopwatch watch(m_result.seconds, "plane");
         PlaneSearch search;
@@ -103,20 +102,13 @@ private:
             if (static_cast<int>(passing.size()) == kPlanesTried)
                 break;
         }
+        if (m_task.stopped() || candidates.empty())
+            return cancelled();
         if (passing.empty()) {
-            if (candidates.empty())
-                return cancelled();
-            m_result.obstructions = obstructionsAt(shape, candidates.front().state);
-            return std::unexpected(refusal());
+            m_result.state = candidates.front().state;
+            m_result.obstructions = obstructionsAt(shape, m_result.state);
         }
         return passing;
-    }
-
-    [[nodiscard]] Error refusal() const {
-        Error error{ErrorCode::Impossible, m_result.obstructions.front().message, {}, {}};
-        for (const Obstruction& obstruction : m_result.obstructions)
-            error.places.push_back(obstruction.place);
-        return error;
     }
 
     /// Pins first pull the whole part, unsplit, until they lie in the plane: [Stein 2019], Section 6.1.
@@ -154,6 +146,10 @@ private:
         const Result<std::vector<MoldState>> states = statesToTry(*shape);
         if (!states)
             return std::unexpected(states.error());
+        if (states->empty()) {
+            m_result.certificate.reason = m_result.obstructions.front().message.english();
+            return m_result;
+        }
         std::optional<Error> lastError;
         std::optional<DesignResult> best;
         for (std::size_t i = 0; i < states->size(); ++i) {

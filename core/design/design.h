@@ -80,7 +80,7 @@ struct LimbMeasure {
 };
 
 struct DesignResult {
-    SharedMesh cast;   ///< mm, part frame; every coordinate a float: the same for PLY and STL
+    SharedMesh cast; ///< mm, part frame, every coordinate a float; none when an obstruction stood in the way
     SideLabels labels; ///< side of each face of cast
     MoldState state;
     bool castable = false; ///< exactly: certificate.holds()

@@ -3,12 +3,16 @@
 
 #include "castability/topology.h"
 
+#include <cmath>
+
 namespace moldwright {
 
 namespace {
 
+/// To a tenth of a millimetre: a place is to be found, not measured.
 std::string placeText(const Eigen::Vector3d& p) {
-    return "(" + readable(p.x()) + ", " + readable(p.y()) + ", " + readable(p.z()) + ")";
+    const auto tenth = [](double x) { return readable(std::round(10 * x) / 10 + 0.0); };
+    return "(" + tenth(p.x()) + ", " + tenth(p.y()) + ", " + tenth(p.z()) + ")";
 }
 
 Message describe(PieceFault fault, int side, const std::string& place, const std::string& size) {
