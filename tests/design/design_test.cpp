@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Algorithm 1 from end to end on shapes made in code.
+#include "design/design.h"
+
+#include "base/parallel.h"
+#include "mesh/check.h"
+#include "mesh/measures.h"
+#include "support/casts.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+using namespace moldwright;
+
+namespace {
+
+SharedMesh shared(IndexedMesh mesh) {
+    return std::make_shared<const IndexedMesh>(std::move(mesh));
+}
+
+/// A sausage bent up and aside like a banana, about 40 mm long: every level plane leaves undercuts.
+SharedMesh banana() {
+    IndexedMesh mesh = test::sphere({0, 0, 0}, 1, 3);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Eigen::Vector3d x = mesh.point(v).cwiseProduct(Eigen::Vector3d(20, 5, 5));
+        mesh.V.row(v) << x.x(), x.y() + 0.008 * x.x() * x.x(), x.z() + 0.012 * x.x() * x.x();
+    }
+    return shared(mesh);
+}
+
+DesignRequest level(SharedMesh part) {
+    DesignRequest request;
+    request.part = std::move(part);
+    request.plane = PartingPlane{};
+    return request;
+}
+
+/// The proof is made anew, from the geometry alone: labels too.
+void expectProved(const DesignResult& result, double draftDegrees) {
+    ASSERT_TRUE(result.castable) << result.certificate.reason;
+    const Certificate proof =
+        certify(*result.cast, labelSides(*result.cast, result.state.plane), result.state, draftDegrees);
+    EXPECT_TRUE(proof.holds()) << proof.reason;
+    EXPECT_GE(proof.worstDraftDegrees, draftDegrees);
+    EXPECT_TRUE(diagnose(*result.cast).usable());
+    EXPECT_EQ(result.cast->V.cast<float>().cast<double>(), result.cast->V) << "an STL holds it exactly";
+}
+
+} // namespace
+
+TEST(Design, BendsABananaUntilItIsCastableAndStaysNearIt) {
+    const DesignRequest request = level(banana());
+    int frames = 0;
+    double lastEnergy = -1;
+    const Result<DesignResult> result = design(request, {}, [&](const DesignFrame& frame) {
+        EXPECT_EQ(frame.step, ++frames);
+        EXPECT_FALSE(frame.stage.empty());
+        lastEnergy = frame.energy;
+    });
+    ASSERT_TRUE(result) << result.error().english();
+    expectProved(*result, 1);
+    EXPECT_GT(frames, 3);
+    EXPECT_LT(lastEnergy, 1e-4);
+    EXPECT_EQ(result->energy, 0);
+    EXPECT_EQ(result->violatingAreaFraction, 0);
+    EXPECT_GT(result->tets, 100);
+    EXPECT_GT(result->change.meanDistance, 1e-4) << "it did have to bend";
+    EXPECT_LT(result->change.meanDistance, 0.05);
+    EXPECT_NEAR(result->change.volumeRatio, 1, 0.15);
+}
+
+TEST(Design, FindsAPlaneForABananaThatHardlyChangesIt) {
+    DesignRequest request = level(banana());
+    request.plane.reset();
+    const Result<DesignResult> result = design(request);
+    ASSERT_TRUE(result) << result.error().english();
+    expectProved(*result, 1);
+    EXPECT_LT(result->change.meanDistance, 0.01);
+}
+
+TEST(Design, ARingLyingFlatKeepsItsHole) {
+    const Result<DesignResult> result = design(level(shared(test::torus(20, 5, 40, 16))));
+    ASSERT_TRUE(result) << result.error().english();
+    expectProved(*result, 1);
+    EXPECT_EQ(diagnose(*result->cast).genus, 1);
+    EXPECT_LT(result->change.meanDistance, 0.01);
+}
+
+TEST(Design, AFlatBackedFrustumStaysAsItIs) {
+    IndexedMesh mesh = test::frusta(40, 30, 10, 0, 0.2).mesh;
+    const SharedMesh part = shared(test::splitInFour(test::splitInFour(mesh)));
+    const Result<DesignResult> result = design(level(part));
+    ASSERT_TRUE(result) << result.error().english();
+    expectProved(*result, 5);
+    EXPECT_LT(result->change.maxDistance, 1e-6);
+    EXPECT_NEAR(result->change.volumeRatio, 1, 1e-6);
+    for (int f = 0; f < result->cast->faceCount(); ++f)
+        if (result->labels[static_cast<std::size_t>(f)] == 2) {
+            for (int k = 0; k < 3; ++k)
+                EXPECT_EQ(result->cast->corner(f, k).z(), 0) << "the second half is a plate";
+        }
+}
+
+TEST(Design, TwoLinkedRingsAreImpossibleWithTheReasonNamed) {
+    IndexedMesh other =
+        test::rotated(test::torus(20, 4, 30, 12), Eigen::Vector3d::UnitX(), std::numbers::pi / 2);
+    other.V.col(0).array() += 20;
+    const Result<DesignResult> result =
+        design(level(shared(test::together(test::torus(20, 4, 30, 12), other))));
+    ASSERT_TRUE(result) << result.error().english();
+    EXPECT_FALSE(result->castable);
+    ASSERT_EQ(result->obstructions.size(), 2U) << "above and below";
+    for (const Obstruction& arch : result->obstructions) {
+        EXPECT_EQ(arch.kind, Obstruction::Kind::Handle);
+        EXPECT_NE(arch.message.english().find("An arch"), std::string::npos) << arch.message.english();
+        EXPECT_NEAR(arch.place.x(), 20, 1);
+    }
+}
+
+TEST(Design, EndsSoonWhenCancelledMidWay) {
+    const Task task;
+    int frames = 0;
+    const Result<DesignResult> result = design(level(banana()), task, [&](const DesignFrame&) {
+        if (++frames == 2)
+            task.cancel();
+    });
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
+    EXPECT_LT(frames, 6);
+}
+
+TEST(Design, GivesTheSameBytesForAnyNumberOfThreads) {
+    std::vector<DesignResult> results;
+    for (const int threads : {1, 2}) {
+        setThreadCount(threads);
+        const Result<DesignResult> result = design(level(banana()));
+        ASSERT_TRUE(result) << result.error().english();
+        results.push_back(*result);
+    }
+    setThreadCount(0);
+    EXPECT_TRUE(results[0].cast->V == results[1].cast->V);
+    EXPECT_TRUE(results[0].cast->F == results[1].cast->F);
+    EXPECT_EQ(results[0].labels, results[1].labels);
+    EXPECT_EQ(results[0].state, results[1].state);
+    EXPECT_EQ(results[0].change.meanDistance, results[1].change.meanDistance);
+}
+
+TEST(Design, KeepsGivenDirectionsAndAHigherDraft) {
+    DesignRequest request = level(banana());
+    request.draftDegrees = 3;
+    request.directionsChoice = DirectionsChoice::Given;
+    request.directions = {Eigen::Vector3d(0.1, 0, 1).normalized(), -Eigen::Vector3d::UnitZ()};
+    const Result<DesignResult> result = design(request);
+    ASSERT_TRUE(result) << result.error().english();
+    expectProved(*result, 3);
+    EXPECT_EQ(result->state.directions, request.directions);
+    EXPECT_EQ(result->state.plane, *request.plane);
+}
+
+TEST(Design, ThePublishedMethodBringsTheEnergyDown) {
+    DesignRequest request = level(banana());
+    request.method = DeformationMethod::Paper;
+    double first = -1;
+    const Result<DesignResult> result = design(request, {}, [&](const DesignFrame& frame) {
+        if (first < 0)
+            first = frame.energy;
+    });
+    ASSERT_TRUE(result) << result.error().english();
+    EXPECT_GT(result->plasticSteps, 0);
+    EXPECT_GT(result->localGlobalIterations, result->plasticSteps);
+    EXPECT_LT(result->energy, 0.5 * first);
+    EXPECT_EQ(result->cast->F, request.part->F) << "nothing is split";
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/obstructions.h"
+
+#include "design/parting.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+using namespace moldwright;
+
+namespace {
+
+/// A ring of radius 20 and thickness 10 that stands upright about the origin.
+IndexedMesh standingRing() {
+    return test::rotated(test::torus(20, 5, 40, 16), Eigen::Vector3d::UnitX(), std::numbers::pi / 2);
+}
+
+MoldState level(double height) {
+    return {{Eigen::Vector3d::UnitZ(), height}, {}};
+}
+
+} // namespace
+
+TEST(Obstructions, NothingStandsInTheWayOfARingLyingFlat) {
+    const IndexedMesh ring = test::torus(20, 5, 40, 16);
+    EXPECT_TRUE(obstructionsAt(ring, level(0)).empty());
+    EXPECT_TRUE(planePasses(ring, level(0)));
+}
+
+TEST(Obstructions, AStandingRingIsAnArchOnBothSides) {
+    const auto found = obstructionsAt(standingRing(), level(0));
+    ASSERT_EQ(found.size(), 2U);
+    for (const Obstruction& arch : found) {
+        EXPECT_EQ(arch.kind, Obstruction::Kind::Handle);
+        EXPECT_NE(arch.message.english().find("An arch"), std::string::npos);
+        const double up = arch.side == 1 ? 1 : -1;
+        EXPECT_LT((arch.place - Eigen::Vector3d(0, 0, up * 12.5)).norm(), 1);
+        EXPECT_NEAR(arch.size, std::hypot(50, 10, 25), 2);
+    }
+    EXPECT_NE(found[0].side, found[1].side);
+    EXPECT_FALSE(planePasses(standingRing(), level(0)));
+}
+
+TEST(Obstructions, ARingAboveThePlaneIsAHandle) {
+    const auto found = obstructionsAt(standingRing(), level(-22));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, Obstruction::Kind::Handle);
+    EXPECT_EQ(found[0].side, 1);
+    const std::string words = found[0].message.english();
+    EXPECT_NE(words.find("A handle"), std::string::npos) << words;
+    EXPECT_NE(words.find("side 1"), std::string::npos) << words;
+    EXPECT_NEAR(found[0].place.z(), 1.5, 1); // half way between 25 and −22
+}
+
+TEST(Obstructions, APartBesideThePlaneNeverMeetsIt) {
+    const auto found = obstructionsAt(test::sphere({0, 0, 30}, 10, 2), level(0));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, Obstruction::Kind::ClosedPiece);
+    EXPECT_LT((found[0].place - Eigen::Vector3d(0, 0, 30)).norm(), 1e-6);
+}
+
+TEST(Obstructions, PlacesAreInThePartsFrame) {
+    const Eigen::Vector3d shift(100, -50, 7);
+    IndexedMesh ring = standingRing();
+    ring.V.rowwise() += shift.transpose();
+    const auto found = obstructionsAt(ring, level(shift.z()));
+    ASSERT_EQ(found.size(), 2U);
+    for (const Obstruction& arch : found)
+        EXPECT_LT((arch.place - shift - Eigen::Vector3d(0, 0, arch.side == 1 ? 12.5 : -12.5)).norm(), 1);
+}
