@@ -3,7 +3,9 @@
 """Turns the benchmarks' JSON into the table of README.md.
 
     moldwright-benchmarks --benchmark_out=bench.json --benchmark_out_format=json
-    tests/benchmarks/table.py bench.json
+    tests/benchmarks/table.py bench.json [MORE.json …]
+
+Of several runs each benchmark's fastest counts.
 """
 import json
 import sys
@@ -25,8 +27,8 @@ def best(runs):
     """The fastest run of each benchmark and row."""
     fastest = {}
     for run in runs:
-        if run.get("run_type") == "aggregate" or "label" not in run or run.get("error_occurred"):
-            continue
+        if "label" not in run or "best_ms" not in run:
+            continue  # an error, an aggregate, or not of a row
         key = (run["name"].split("/")[0], run["label"])
         if key not in fastest or run["best_ms"] < fastest[key]["best_ms"]:
             fastest[key] = run
@@ -49,10 +51,13 @@ def table(fastest):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
-    with open(sys.argv[1], encoding="utf-8") as file:
-        print("\n".join(table(best(json.load(file)["benchmarks"]))))
+    runs = []
+    for name in sys.argv[1:]:
+        with open(name, encoding="utf-8") as file:
+            runs += json.load(file)["benchmarks"]
+    print("\n".join(table(best(runs))))
 
 
 if __name__ == "__main__":
