@@ -207,7 +207,7 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
         ->check(CLI::IsMember({"default", "paper"}))
         ->capture_default_str();
     app.add_option("--pins", o.pins, "none")->check(CLI::IsMember({"none"}))->capture_default_str();
-    app.add_option("--fill", o.fill, "auto or none")
+    app.add_option("--fill", o.fill, "auto or none; filling is not offered yet, both bend only")
         ->check(CLI::IsMember({"auto", "none"}))
         ->capture_default_str();
     app.add_option("--units", o.units, "Unit of the file's numbers")

@@ -52,7 +52,7 @@ void addSharedOptions(CLI::App& app, SharedOptions& shared) {
     app.add_option("--seed", shared.seed, "Start random choices from N; the default is 1")
         ->type_name("N")
         ->group(group);
-    app.add_option("--time-limit", shared.timeLimit, "Stop after this time and keep what was reached")
+    app.add_option("--time-limit", shared.timeLimit, "Stop after this time, with exit code 5")
         ->type_name("SECONDS")
         ->check(silent(CLI::PositiveNumber))
         ->group(group);
