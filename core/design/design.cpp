@@ -111,18 +111,27 @@ private:
         return passing;
     }
 
-    /// Pins first pull the whole part, unsplit, until they lie in the plane: [Stein 2019], Section 6.1.
-    Result<SharedMesh> pinned(const MoldState& state) {
+    /// The published deformation of the whole part, with the request's pins and importance.
+    Result<Elastoplastic> solverAt(const MoldState& state) {
         ElastoplasticSettings settings;
         settings.draftDegrees = m_request.draftDegrees;
         settings.maxTiltDegrees = m_request.maxTiltDegrees;
         settings.optimizeDirections = m_request.directionsChoice == DirectionsChoice::Automatic;
+        const Stopwatch watch(m_result.seconds, "tetrahedralize");
         Result<Elastoplastic> solver = Elastoplastic::create(m_request.part, state, settings, m_task);
         if (!solver)
-            return std::unexpected(solver.error());
+            return solver;
         solver->setPins(m_request.pins);
         if (!m_request.faceWeights.empty())
             solver->setFaceWeights(m_request.faceWeights);
+        return solver;
+    }
+
+    /// Pins first pull the whole part, unsplit, until they lie in the plane: [Stein 2019], Section 6.1.
+    Result<SharedMesh> pinned(const MoldState& state) {
+        Result<Elastoplastic> solver = solverAt(state);
+        if (!solver)
+            return std::unexpected(solver.error());
         for (int step = 0; step < kPinSteps && !m_task.stopped(); ++step) {
             solver->step(m_task);
             show("pins", solver->shape(), solver->state());
@@ -199,6 +208,9 @@ private:
 
     CastableShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task) {
         const Stopwatch watch(m_result.seconds, "elastoplastic");
+        // Without anyone to see them, frames would be copied for nothing.
+        if (!m_frames)
+            return bendToCastable(solid, goal, task, {});
         return bendToCastable(solid, goal, task, [&](const char* stage, const LabelledSurface& surface) {
             show(stage, solid.frame.toPart(surface.mesh), solid.state);
         });
@@ -229,19 +241,9 @@ private:
         const Result<MoldState> state = paperState();
         if (!state)
             return std::unexpected(state.error());
-        ElastoplasticSettings settings;
-        settings.draftDegrees = m_request.draftDegrees;
-        settings.maxTiltDegrees = m_request.maxTiltDegrees;
-        settings.optimizeDirections = m_request.directionsChoice == DirectionsChoice::Automatic;
-        Result<Elastoplastic> solver = [&] {
-            const Stopwatch watch(m_result.seconds, "tetrahedralize");
-            return Elastoplastic::create(m_request.part, *state, settings, m_task);
-        }();
+        Result<Elastoplastic> solver = solverAt(*state);
         if (!solver)
             return std::unexpected(solver.error());
-        solver->setPins(m_request.pins);
-        if (!m_request.faceWeights.empty())
-            solver->setFaceWeights(m_request.faceWeights);
         plasticSteps(*solver);
         if (m_task.stopped())
             return cancelled();
