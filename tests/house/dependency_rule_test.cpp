@@ -41,8 +41,8 @@ bool startsWith(const std::string& text, const std::string& start) {
 }
 
 const std::vector<std::string> roomsFromTheGroundUp = {"base",   "mesh",        "exchange", "castability",
-                                                       "guides", "deformation", "design",   "mold",
-                                                       "report", "project"};
+                                                       "guides", "deformation", "fill",     "design",
+                                                       "mold",   "report",      "project"};
 
 } // namespace
 

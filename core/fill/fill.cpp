@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fill/fill.h"
+
+#include "base/parallel.h"
+#include "fill/field_repair.h"
+#include "fill/joined_halves.h"
+#include "fill/outermost_surface.h"
+#include "mesh/check.h"
+#include "mesh/measures.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace moldwright {
+
+namespace {
+
+/// Heights within so many grid steps become one; the second is tried where the first leaves a fault.
+constexpr std::array kSteps = {16.0, 1024.0};
+
+PartedMesh filled(const PartedMesh& part, const ShadowGrid& grid, double step) {
+    std::array<std::optional<HeightField>, 2> made;
+    parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            made[i] = outermostSurface(projectHalf(part, static_cast<int>(i) + 1, grid), step);
+            makeManifold(*made[i]);
+        }
+    });
+    std::array<HeightField, 2> halves = {std::move(*made[0]), std::move(*made[1])};
+    return joinHalves(halves, grid);
+}
+
+/// Per point of the filled mesh the point of the part that stands there, −1 for none.
+std::vector<int> pointsKept(const PartedMesh& part, const IndexedMesh& mesh, const ShadowGrid& grid) {
+    std::map<std::array<double, 3>, int> pointAt;
+    for (int f = 0; f < part.mesh.faceCount(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int side = part.labels[static_cast<std::size_t>(f)];
+            const Eigen::Vector3d x = part.mesh.corner(f, k);
+            const Eigen::Vector3d placed = grid.place(grid.shadow(x, side), grid.height(x, side), side);
+            pointAt.emplace(std::array{placed.x(), placed.y(), placed.z()}, part.mesh.F(f, k));
+        }
+    std::vector<int> source(static_cast<std::size_t>(mesh.vertexCount()), -1);
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        if (const auto at = pointAt.find({mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)}); at != pointAt.end())
+            source[static_cast<std::size_t>(v)] = at->second;
+    return source;
+}
+
+bool sound(const IndexedMesh& mesh) {
+    const MeshDiagnosis found = diagnose(mesh);
+    return found.closed && found.manifold && found.oriented && found.degenerateFaces.empty() &&
+           found.selfIntersections.empty();
+}
+
+} // namespace
+
+Result<FilledPart> fill(const PartedMesh& part, const Directions& directions, const Task& task) {
+    const ShadowGrid grid(part.mesh, directions);
+    for (const double step : kSteps) {
+        if (task.stopped())
+            return failure(ErrorCode::Cancelled, MW_TEXT("fill", "Filling was cancelled."));
+        FilledPart result;
+        result.surface = filled(part, grid, step);
+        if (!sound(result.surface.mesh))
+            continue;
+        result.sourceVertex = pointsKept(part, result.surface.mesh, grid);
+        result.volume = volume(result.surface.mesh) - volume(part.mesh);
+        return result;
+    }
+    return failure(ErrorCode::Internal,
+                   MW_TEXT("fill", "The undercuts could not be filled without the surface "
+                                   "crossing itself. Move the parting plane a little."));
+}
+
+} // namespace moldwright

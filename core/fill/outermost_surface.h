@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "fill/height_field.h"
+#include "fill/projected_half.h"
+
+namespace moldwright {
+
+/// The half's outermost surface along its direction, as heights over the plane. Heights at a point that
+/// differ by no more than `step` (grid steps) become one, those within it of the plane become 0.
+[[nodiscard]] HeightField outermostSurface(const ProjectedHalf& half, double step);
+
+} // namespace moldwright

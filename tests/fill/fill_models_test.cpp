@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Real parts, at three planes through their centre each.
+#include "castability/parting_line.h"
+#include "exchange/mesh_file.h"
+#include "fill/fill.h"
+#include "filled_checks.h"
+#include "mesh/check.h"
+#include "mesh/measures.h"
+#include "support/folders.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace moldwright;
+
+namespace {
+
+/// The part with the plane square to an axis through its centre at z = 0, size about 1.
+IndexedMesh placed(const IndexedMesh& part, int axis) {
+    const auto box = boundingBox(part);
+    IndexedMesh mesh = part;
+    for (int k = 0; k < 3; ++k)
+        mesh.V.col(k) = (part.V.col((axis + 1 + k) % 3).array() - box.center()[(axis + 1 + k) % 3]) /
+                        box.diagonal().norm();
+    return mesh;
+}
+
+PartedMesh partedWhereFree(const IndexedMesh& mesh) {
+    PartedMesh parted;
+    for (const double snap : {0.25, 0.02, 0.0}) {
+        parted = insertPartingLine(mesh, snap);
+        if (selfIntersections(parted.mesh).empty())
+            break;
+    }
+    return parted;
+}
+
+} // namespace
+
+TEST(FillModels, EveryModelBecomesSoundAtEveryAxisPlane) {
+    if (!test::models())
+        GTEST_SKIP() << "MOLDWRIGHT_MODELS is not set";
+    int checked = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(*test::models())) {
+        const std::string ending = entry.path().extension();
+        if (ending == ".md" || ending == ".json")
+            continue;
+        const auto read = readMesh(entry.path());
+        ASSERT_TRUE(read) << entry.path();
+        const auto part = prepare(read->mesh, entry.path().filename());
+        ASSERT_TRUE(part) << entry.path();
+        for (int axis = 0; axis < 3; ++axis) {
+            SCOPED_TRACE(entry.path().filename().string() + ", axis " + std::to_string(axis));
+            const auto filled = fill(partedWhereFree(placed(part->mesh, axis)), {});
+            ASSERT_TRUE(filled) << filled.error().english();
+            test::expectSound(*filled, {});
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 10);
+}
