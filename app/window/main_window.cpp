@@ -19,11 +19,8 @@
 #include "window/view_bar.h"
 #include "window/workbench.h"
 
-#include <QCloseEvent>
 #include <QLabel>
 #include <QListWidget>
-#include <QMimeData>
-#include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 
@@ -302,30 +299,6 @@ void MainWindow::setMode(DisplayMode mode) {
     m_actions[u"show-draft"_s]->setChecked(mode == DisplayMode::DraftMap);
     m_actions[u"show-plain"_s]->setChecked(mode == DisplayMode::Plain);
     refreshSoon();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
-        event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    openPath(event->mimeData()->urls().front().toLocalFile());
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayClose()) {
-        event->ignore();
-        return;
-    }
-    preferences::setLayout(u"geometry"_s, saveGeometry());
-    if (m_bench.project().part)
-        preferences::setLayout(u"docks"_s, saveState(1));
-    event->accept();
 }
 
 } // namespace moldwright

@@ -8,6 +8,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <functional>
+
 class QActionGroup;
 class QLabel;
 class QListWidget;
@@ -50,7 +52,6 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     // main_window_layout.cpp
@@ -72,21 +73,28 @@ private:
     void connectWindowActions();
     void connectBench();
     void connectPanels();
-    void chooseFileToOpen();
-    void chooseFileToExport();
-    void chooseFolderForMold();
-    void chooseFileForReport();
-    void askUnit(const OpenedMesh& opened);
-    void save();
-    void saveAs();
-    [[nodiscard]] bool mayClose();
-    [[nodiscard]] QByteArray thumbnail();
-    void saveScreenshot();
     void showKeys();
     void showAbout();
     void walkZones(int way);
     void useThemeChoice(ThemeChoice choice);
     void escape();
+
+    // main_window_files.cpp
+    void chooseFileToOpen();
+    void chooseFileToExport();
+    void chooseFolderForMold();
+    void chooseFileForReport();
+    void askUnit(const OpenedMesh& opened);
+    void save(const std::function<void()>& then = {});
+    void saveAs(const std::function<void()>& then = {});
+    void saveTo(const QString& file, const std::function<void()>& then);
+    void saveScreenshot();
+    /// Does `then` once the open document may go: it is unchanged, saved now, or given up.
+    void leaving(const std::function<void()>& then);
+    /// Does `then` once no job runs; a running one is stopped.
+    void whenIdle(const std::function<void()>& then);
+    [[nodiscard]] QByteArray thumbnail();
+    [[nodiscard]] QString fileToWrite(const QString& title, const QString& ending, const QString& kinds);
 
     // main_window.cpp
     void refreshSoon() { m_refresh.start(); }
@@ -103,6 +111,8 @@ private:
     void showMold(bool shown);
     [[nodiscard]] bool moldShown() const;
     void applyTheme();
+
+    static constexpr int layoutVersion = 1; ///< of the docks; another one forgets what was kept
 
     Workbench& m_bench;
     Actions m_actions;
@@ -132,6 +142,7 @@ private:
     QList<class Dock*> m_docks;
     QByteArray m_firstLayout;
     bool m_docksPlaced = false;
+    bool m_mayClose = false; ///< what was to be asked before closing has been asked
     QLabel* m_savedLabel = nullptr;
 };
 

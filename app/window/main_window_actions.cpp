@@ -16,7 +16,6 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
-#include "window/import_dialog.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/view_bar.h"
@@ -24,10 +23,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QBuffer>
 #include <QDesktopServices>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
@@ -52,10 +48,7 @@ void MainWindow::connectActions() {
 
 void MainWindow::connectFileActions() {
     m_actions.on(u"open"_s, [this] { chooseFileToOpen(); });
-    m_actions.on(u"start-page"_s, [this] {
-        if (mayClose())
-            m_bench.closePart();
-    });
+    m_actions.on(u"start-page"_s, [this] { leaving([this] { m_bench.closePart(); }); });
     m_actions.on(u"save"_s, [this] { save(); });
     m_actions.on(u"save-as"_s, [this] { saveAs(); });
     m_actions.on(u"export-cast"_s, [this] { chooseFileToExport(); });
@@ -149,7 +142,7 @@ void MainWindow::connectWindowActions() {
     m_actions.on(u"reset-layout"_s, [this] {
         for (Dock* dock : m_docks)
             dock->toggleViewAction()->setProperty("wanted", true);
-        restoreState(m_firstLayout, 1);
+        restoreState(m_firstLayout, layoutVersion);
         refreshSoon();
     });
     m_actions.on(u"keys"_s, [this] { showKeys(); });
@@ -244,111 +237,6 @@ void MainWindow::connectPanels() {
         if (row >= 0 && !m_bench.background().busy())
             m_bench.document().goTo(static_cast<std::size_t>(row));
     });
-}
-
-void MainWindow::openPath(const QString& file) {
-    if (mayClose())
-        m_bench.openFile(file);
-}
-
-void MainWindow::save() {
-    const QString file = m_bench.document().file();
-    if (file.isEmpty())
-        saveAs();
-    else
-        m_bench.save(file, thumbnail());
-}
-
-void MainWindow::saveAs() {
-    const QString name = QString::fromStdString(m_bench.project().name) + u".moldwright"_s;
-    QString file =
-        QFileDialog::getSaveFileName(this, tr("Save the project"), preferences::folder() + u'/' + name,
-                                     tr("Moldwright projects (*.moldwright)"));
-    if (file.isEmpty())
-        return;
-    if (QFileInfo(file).suffix() != u"moldwright"_s)
-        file += u".moldwright"_s;
-    preferences::setFolderOf(file);
-    m_bench.save(file, thumbnail());
-}
-
-QByteArray MainWindow::thumbnail() {
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    m_view->grabFramebuffer()
-        .scaled(256, 192, Qt::KeepAspectRatio, Qt::SmoothTransformation)
-        .save(&buffer, "PNG");
-    return png;
-}
-
-bool MainWindow::mayClose() {
-    if (!m_bench.project().part || !m_bench.document().isChanged())
-        return true;
-    QMessageBox box(this);
-    box.setWindowTitle(tr("Moldwright"));
-    box.setText(tr("%1 has changes that are not saved.").arg(QString::fromStdString(m_bench.project().name)));
-    const QAbstractButton* saveButton = box.addButton(tr("Save"), QMessageBox::AcceptRole);
-    const QAbstractButton* discard = box.addButton(tr("Close without saving"), QMessageBox::DestructiveRole);
-    box.addButton(tr("Keep it open"), QMessageBox::RejectRole);
-    box.exec();
-    if (box.clickedButton() == saveButton)
-        save();
-    return box.clickedButton() == discard;
-}
-
-void MainWindow::chooseFileToOpen() {
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a part"), preferences::folder(),
-        tr("Parts and projects (*.stl *.obj *.ply *.off *.moldwright);;All files (*)"));
-    if (file.isEmpty())
-        return;
-    preferences::setFolderOf(file);
-    openPath(file);
-}
-
-void MainWindow::chooseFileToExport() {
-    const QString name = QString::fromStdString(m_bench.project().name) + u".stl"_s;
-    const QString file =
-        QFileDialog::getSaveFileName(this, tr("Export the shape"), preferences::folder() + u'/' + name,
-                                     tr("STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;OFF (*.off)"));
-    if (file.isEmpty())
-        return;
-    preferences::setFolderOf(file);
-    m_bench.exportShape(file);
-}
-
-void MainWindow::chooseFolderForMold() {
-    const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Folder for the halves"), preferences::folder());
-    if (!folder.isEmpty())
-        m_bench.exportMold(folder);
-}
-
-void MainWindow::chooseFileForReport() {
-    const QString name = QString::fromStdString(m_bench.project().name) + u".pdf"_s;
-    const QString file = QFileDialog::getSaveFileName(this, tr("Print the report"),
-                                                      preferences::folder() + u'/' + name, tr("PDF (*.pdf)"));
-    if (file.isEmpty())
-        return;
-    preferences::setFolderOf(file);
-    m_bench.writeReport(file);
-}
-
-void MainWindow::askUnit(const OpenedMesh& opened) {
-    auto* dialog = new ImportDialog(opened, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this,
-            [this, dialog, opened] { m_bench.take(opened, dialog->unit(), dialog->scale()); });
-    dialog->open();
-}
-
-void MainWindow::saveScreenshot() {
-    const QString name = QString::fromStdString(m_bench.project().name) + u".png"_s;
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Save a picture"), preferences::folder() + u'/' + name, tr("PNG pictures (*.png)"));
-    if (!file.isEmpty() && !m_view->grabFramebuffer().save(file))
-        m_bench.say(Standing::Failing, tr("The picture could not be written to %1.").arg(file));
 }
 
 void MainWindow::showKeys() {

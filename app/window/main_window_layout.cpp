@@ -31,12 +31,6 @@ namespace moldwright {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
-constexpr int layoutVersion = 1;
-
-} // namespace
-
 void MainWindow::buildMenus() {
     std::map<QString, QMenu*> menus;
     std::size_t i = 0;

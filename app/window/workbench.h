@@ -15,6 +15,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -69,8 +70,8 @@ public:
     void openSample(const QString& file, const QString& name);
     void take(const OpenedMesh& opened, Unit unit, double scale);
     void closePart();
-    /// Saves the project; `thumbnail` is a PNG of the view.
-    void save(const QString& file, const QByteArray& thumbnail);
+    /// Saves the project; `thumbnail` is a PNG of the view. `then` is done once it is safe on the disk.
+    void save(const QString& file, const QByteArray& thumbnail, const std::function<void()>& then = {});
     void exportShape(const QString& file);
     void exportMold(const QString& folder);
     /// Has moldwright-render write the report as a PDF.

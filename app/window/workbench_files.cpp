@@ -77,7 +77,7 @@ void Workbench::show(const Project& project, const QString& file) {
     Q_EMIT partOpened();
 }
 
-void Workbench::save(const QString& file, const QByteArray& thumbnail) {
+void Workbench::save(const QString& file, const QByteArray& thumbnail, const std::function<void()>& then) {
     const Project project = m_document.committed();
     const std::size_t done = m_document.history().done();
     m_background.start(tr("Saving %1").arg(QFileInfo(file).fileName()),
@@ -92,6 +92,8 @@ void Workbench::save(const QString& file, const QByteArray& thumbnail) {
                                m_document.markSaved(file, done);
                                preferences::addRecentFile(file);
                                Q_EMIT saved();
+                               if (then)
+                                   then();
                            };
                        });
 }

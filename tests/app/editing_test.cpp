@@ -5,6 +5,7 @@
 #include "mesh/measures.h"
 #include "panels/command_search.h"
 #include "panels/workflow_bar.h"
+#include "project/project_file.h"
 #include "support/folders.h"
 #include "view/part_view.h"
 #include "window/document.h"
@@ -180,4 +181,57 @@ TEST(Editing, AnOpenMeshIsRefusedWithASentence) {
     ASSERT_TRUE(driver.waitFor([&] { return !headline.isEmpty(); }));
     EXPECT_TRUE(headline.contains(QStringLiteral("holed.ply"))) << headline.toStdString();
     driver.shot("14-error");
+}
+
+TEST(Leaving, SavingOnTheWayOutSavesAndThenCloses) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.window().actions()[QStringLiteral("turn-x")]->trigger();
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "left.moldwright";
+    driver.answerQuestion("leave-save");
+    driver.answerFileDialog(QString::fromStdString(file.string()));
+    driver.press("Ctrl+Q");
+    ASSERT_TRUE(driver.waitFor([&] { return !driver.window().isVisible(); }));
+    const Result<StoredProject> saved = openProject(file);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->project.part->V, driver.bench().project().part->V);
+}
+
+TEST(Leaving, SavingOnTheWayToAnotherFileSavesAndThenOpensIt) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    const test::ScratchFolder folder;
+    const QString first = QString::fromStdString((folder.path() / "first.moldwright").string());
+    const QString second = QString::fromStdString((folder.path() / "second.moldwright").string());
+    driver.answerFileDialog(first);
+    driver.press("Ctrl+S");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().document().file() == first; }));
+    ASSERT_TRUE(driver.waitIdle());
+    driver.window().actions()[QStringLiteral("turn-x")]->trigger();
+    driver.answerFileDialog(second);
+    driver.press("Ctrl+Shift+S");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().document().file() == second; }));
+    ASSERT_TRUE(driver.waitIdle());
+    driver.window().actions()[QStringLiteral("turn-z")]->trigger();
+    const Points turned = driver.bench().project().part->V;
+    driver.answerQuestion("leave-save");
+    driver.window().openPath(first);
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().document().file() == first; }));
+    const Result<StoredProject> saved = openProject(second.toStdString());
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->project.part->V, turned);
+}
+
+TEST(Leaving, KeepingItOpenKeepsItAndGivingUpClosesIt) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.window().actions()[QStringLiteral("turn-x")]->trigger();
+    driver.answerQuestion("leave-stay");
+    driver.press("Ctrl+Q");
+    EXPECT_TRUE(driver.window().isVisible());
+    EXPECT_TRUE(driver.bench().document().isChanged());
+    driver.answerQuestion("leave-discard");
+    driver.press("Ctrl+W");
+    EXPECT_TRUE(driver.waitFor([&] { return !driver.bench().project().part; }));
 }

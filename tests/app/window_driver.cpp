@@ -4,9 +4,11 @@
 #include "window/main_window.h"
 
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScreen>
 #include <QTest>
 #include <QTimer>
@@ -57,18 +59,58 @@ bool WindowDriver::openSample(const char* baseName) {
     return waitFor([this] { return bench().project().part != nullptr; }) && waitIdle();
 }
 
-void WindowDriver::answerFileDialog(const QString& path) {
+bool WindowDriver::openMesh(const QString& file, double longestSide) {
+    answerFileDialog(file);
+    press("Ctrl+O");
+    QDoubleSpinBox* length = nullptr;
+    const bool asked = waitFor([&] {
+        length = window().findChild<QDoubleSpinBox*>(QStringLiteral("import-length"));
+        return length && length->isVisible();
+    });
+    if (!asked)
+        return false;
+    length->setFocus();
+    length->selectAll();
+    QTest::keyClicks(length, QString::number(longestSide));
+    shot("00-import");
+    click("import-open");
+    return waitFor([this] { return bench().project().part != nullptr; }) && waitIdle();
+}
+
+void WindowDriver::whenAsked(const std::function<bool()>& answer) {
     auto* timer = new QTimer(&window());
-    QObject::connect(timer, &QTimer::timeout, timer, [timer, path] {
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, answer] {
+        // The answer ends the dialog's own loop of events: nothing may be asked twice meanwhile.
+        timer->stop();
+        if (answer())
+            timer->deleteLater();
+        else
+            timer->start();
+    });
+    timer->start(50);
+}
+
+void WindowDriver::answerFileDialog(const QString& path) {
+    whenAsked([path] {
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
         if (!dialog)
-            return;
-        timer->deleteLater();
+            return false;
         auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
         name->setText(path);
         QTest::keyClick(name, Qt::Key_Return);
+        return true;
     });
-    timer->start(50);
+}
+
+void WindowDriver::answerQuestion(const char* button) {
+    whenAsked([button] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        auto* answer = dialog ? dialog->findChild<QPushButton*>(QString::fromLatin1(button)) : nullptr;
+        if (!answer)
+            return false;
+        QTest::mouseClick(answer, Qt::LeftButton);
+        return true;
+    });
 }
 
 void WindowDriver::shot(const char* name) {

@@ -36,13 +36,22 @@ public:
     /// Opens a bundled sample through its card on the start page.
     bool openSample(const char* baseName);
 
+    /// Opens a mesh file by the menu's key and the file dialog, and scales it to this longest side, mm.
+    bool openMesh(const QString& file, double longestSide);
+
     /// Once the next modal file dialog is open, types the path into it and accepts.
     void answerFileDialog(const QString& path);
+
+    /// Once the next modal question is open, clicks its button with this object name.
+    void answerQuestion(const char* button);
 
     /// Saves a picture of the window when MOLDWRIGHT_SCREENSHOTS names a folder.
     void shot(const char* name);
 
 private:
+    /// Tries every 50 ms until `answer` found its dialog.
+    void whenAsked(const std::function<bool()>& answer);
+
     Program m_program;
 };
 
