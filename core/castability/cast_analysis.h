@@ -13,4 +13,8 @@ namespace moldwright {
                                         const MoldState& state, double draftDegrees,
                                         const Certificate& certificate);
 
+/// The same in floating point, for a shape on its way: no certificate is needed. O(m).
+[[nodiscard]] DraftAnalysis analyzeCast(const IndexedMesh& cast, const SideLabels& labels,
+                                        const MoldState& state, double draftDegrees);
+
 } // namespace moldwright

@@ -89,14 +89,17 @@ CastableShape bendToCastable(const PartedSolid& solid, const ShapeGoal& goal, co
     weights.tau = std::sin(radians(goal.draftDegrees + kAimHigher));
     weights.iterations = kIterations;
     const Task elastic = task.part(0, 0.8);
-    for (int round = 0; round < kRounds && !task.stopped(); ++round, weights.hinge *= kHingeGrowth) {
+    bool enough = false;
+    for (int round = 0; round < kRounds && !enough && !task.stopped();
+         ++round, weights.hinge *= kHingeGrowth) {
         weights.barrier = kBarrierShare * weights.hinge;
         int step = 0;
         X = problem.minimize(weights, areas, std::move(X), [&](const Positions& Y) {
             elastic.progress((round + static_cast<double>(++step) / kIterations) / kRounds, "deformation");
             if (watch)
                 watch("deformation", surfaceOf(solid, Y));
-            return !task.stopped();
+            enough = task.stopped() || (goal.finishNow && goal.finishNow());
+            return !enough;
         });
     }
     CastableShape shape{surfaceOf(solid, X), false, problem.iterations()};

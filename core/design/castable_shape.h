@@ -15,6 +15,7 @@ struct ShapeGoal {
     double draftDegrees = 1;
     std::vector<double> faceWeights; ///< importance per face of the part; empty: all 1
     double resolution = 0;           ///< rounding step of the coordinates to be written, mm
+    std::function<bool()> finishNow; ///< as in DesignRequest
 };
 
 /// Sees the surface (working frame) as it changes; the string names the stage.

@@ -2,6 +2,7 @@
 #include "design/design.h"
 
 #include "castability/analysis.h"
+#include "castability/cast_analysis.h"
 #include "castability/directions.h"
 #include "castability/float_rounding.h"
 #include "castability/plane_search.h"
@@ -36,11 +37,13 @@ double floatStep(const IndexedMesh& part) {
     return largest * std::numeric_limits<float>::epsilon();
 }
 
-DesignFrame frameOf(const char* stage, IndexedMesh shape, const MoldState& state, int step,
-                    double draftDegrees) {
-    const DraftAnalysis analysis = analyzeDraft(shape, state, draftDegrees, false);
+DesignFrame frameOf(const char* stage, IndexedMesh shape, const SideLabels& labels, const MoldState& state,
+                    int step, double draftDegrees) {
+    const DraftAnalysis analysis = labels.empty() ? analyzeDraft(shape, state, draftDegrees, false)
+                                                  : analyzeCast(shape, labels, state, draftDegrees);
     return {stage,
             std::make_shared<const IndexedMesh>(std::move(shape)),
+            labels,
             state,
             step,
             analysis.energy,
@@ -134,7 +137,7 @@ private:
             return std::unexpected(solver.error());
         for (int step = 0; step < kPinSteps && !m_task.stopped(); ++step) {
             solver->step(m_task);
-            show("pins", solver->shape(), solver->state());
+            show("pins", solver->shape(), {}, solver->state());
         }
         m_result.plasticSteps = solver->steps();
         m_result.localGlobalIterations = solver->iterations();
@@ -192,7 +195,7 @@ private:
             return std::unexpected(solid.error());
         result.state = state;
         result.tets = static_cast<int>(solid->tets.T.rows());
-        ShapeGoal goal{m_request.draftDegrees, m_request.faceWeights, floatStep(shape)};
+        ShapeGoal goal{m_request.draftDegrees, m_request.faceWeights, floatStep(shape), m_request.finishNow};
         for (int attempt = 0; attempt < kRoundingAttempts; ++attempt, goal.resolution *= 4) {
             const CastableShape bent = bend(*solid, goal, task);
             result.localGlobalIterations += bent.iterations;
@@ -212,7 +215,7 @@ private:
         if (!m_frames)
             return bendToCastable(solid, goal, task, {});
         return bendToCastable(solid, goal, task, [&](const char* stage, const LabelledSurface& surface) {
-            show(stage, solid.frame.toPart(surface.mesh), solid.state);
+            show(stage, solid.frame.toPart(surface.mesh), surface.labels, solid.state);
         });
     }
 
@@ -276,9 +279,10 @@ private:
             m_task.progress(0.1 + 0.8 * step / kPlasticSteps, "deformation");
             const DraftAnalysis analysis =
                 analyzeDraft(solver.shape(), solver.state(), m_request.draftDegrees, false);
-            show("deformation", solver.shape(), solver.state());
+            show("deformation", solver.shape(), {}, solver.state());
             history.push_back(analysis.energy);
-            if (analysis.castable() ||
+            const bool enough = m_request.finishNow && m_request.finishNow();
+            if (enough || analysis.castable() ||
                 (history.size() > 5 && history.back() > 0.999 * history[history.size() - 6]))
                 break;
         }
@@ -309,9 +313,9 @@ private:
         return m_result;
     }
 
-    void show(const char* stage, IndexedMesh shape, const MoldState& state) {
+    void show(const char* stage, IndexedMesh shape, const SideLabels& labels, const MoldState& state) {
         if (m_frames)
-            m_frames(frameOf(stage, std::move(shape), state, ++m_step, m_request.draftDegrees));
+            m_frames(frameOf(stage, std::move(shape), labels, state, ++m_step, m_request.draftDegrees));
     }
 
     const DesignRequest& m_request;

@@ -40,12 +40,16 @@ struct DesignRequest {
     std::vector<double> faceWeights;       ///< importance per face of `part`, 1 = plain; empty: all plain
     std::vector<Eigen::Vector3d> limbTips; ///< where limb measures are wanted; empty: found automatically
     unsigned seed = 1;
+    /// Asked after every step: true ends the bending there and goes on to the finish; may be empty. Called
+    /// from the thread of design().
+    std::function<bool()> finishNow;
 };
 
 /// One picture of a running deformation: enough to draw it.
 struct DesignFrame {
     std::string stage; ///< English name of the stage
     SharedMesh shape;  ///< mm, part frame
+    SideLabels labels; ///< side of each face of shape; empty while the part is not split
     MoldState state;
     int step = 0;
     double energy = 0; ///< castability energy, scale-free (diagonal 1)
@@ -99,7 +103,7 @@ struct DesignResult {
 
 /// Runs Algorithm 1 unattended ([Stein 2019], Section 6.3; the pipeline is described in ARCHITECTURE.md):
 /// plane → parting line → deformation → finish → proof. `frames`, if set, is called from this thread after
-/// every step. A result that is not castable is a value with castable = false; obstructions say why when one
+/// every step; while it does not return, the run rests. A result that is not castable is a value with castable = false; obstructions say why when one
 /// was found. Errors: BadInput, Impossible (no plane passes), Cancelled, Worker.
 [[nodiscard]] Result<DesignResult> design(const DesignRequest& request, const Task& task = {},
                                           const FrameSink& frames = {});

@@ -31,3 +31,15 @@ TEST(CastAnalysis, AStricterDraftFindsTheWalls) {
     EXPECT_GT(analysis.violatingArea, 0);
     EXPECT_GT(analysis.energy, 0);
 }
+
+TEST(CastAnalysis, WithoutACertificateItFindsTheSame) {
+    const auto cast = test::frusta(20, 30, 8, 6, 0.1);
+    const SideLabels labels = labelSides(cast.mesh, cast.state.plane);
+    for (const double draft : {1.0, 10.0}) {
+        const DraftAnalysis quick = analyzeCast(cast.mesh, labels, cast.state, draft);
+        const DraftAnalysis exact = analysed(cast, draft);
+        EXPECT_EQ(quick.violating, exact.violating);
+        EXPECT_EQ(quick.faceDraft, exact.faceDraft);
+        EXPECT_EQ(quick.violatingArea, exact.violatingArea);
+    }
+}

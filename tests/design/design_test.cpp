@@ -131,6 +131,34 @@ TEST(Design, EndsSoonWhenCancelledMidWay) {
     EXPECT_LT(frames, 6);
 }
 
+TEST(Design, AskedToFinishItBendsNoFurtherAndProvesWhatItHas) {
+    DesignRequest request = level(banana());
+    bool asked = false;
+    int bent = 0;
+    int bentAfterwards = 0;
+    request.finishNow = [&] { return asked; };
+    const Result<DesignResult> result = design(request, {}, [&](const DesignFrame& frame) {
+        const bool bending = frame.stage == "deformation";
+        bentAfterwards += bending && asked;
+        bent += bending;
+        asked = asked || bent == 3;
+    });
+    ASSERT_TRUE(result) << result.error().english();
+    expectProved(*result, 1);
+    EXPECT_EQ(bent, 3);
+    EXPECT_EQ(bentAfterwards, 0);
+}
+
+TEST(Design, FramesOfASplitPartKnowTheSideOfEachFace) {
+    double worst = -90;
+    const Result<DesignResult> result = design(level(banana()), {}, [&](const DesignFrame& frame) {
+        ASSERT_EQ(static_cast<int>(frame.labels.size()), frame.shape->faceCount());
+        worst = frame.worstDraftDegrees;
+    });
+    ASSERT_TRUE(result) << result.error().english();
+    EXPECT_GT(worst, -10) << "no slivers on the wrong side at the parting line";
+}
+
 TEST(Design, GivesTheSameBytesForAnyNumberOfThreads) {
     std::vector<DesignResult> results;
     for (const int threads : {1, 2}) {
