@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "deformation/clean_up.h"
 
+#include "deformation/curve_barrier.h"
 #include "mesh/triangle_mesh.h"
 
 #include <Eigen/Geometry>
@@ -285,9 +286,11 @@ private:
         if (neighbours.size() != 2)
             return false;
         const Vertex p = neighbours[0] == kept ? neighbours[1] : neighbours[0];
-        for (const auto w : m_mesh.voh_range(kept))
-            if (onCurve(m_mesh.edge_handle(w)) && loopIsShort(p, m_mesh.to_vertex_handle(w)))
+        for (const auto w : m_mesh.voh_range(kept)) {
+            const Vertex q = m_mesh.to_vertex_handle(w);
+            if (q != gone && onCurve(m_mesh.edge_handle(w)) && loopIsShort(p, q))
                 return false;
+        }
         const auto at = [&](Vertex v) -> Eigen::Vector2d { return m_mesh.point(v).head<2>(); };
         const double margin = 0.01 * (at(gone) - at(kept)).norm();
         return std::none_of(m_curvePoints.begin(), m_curvePoints.end(), [&](Vertex v) {
@@ -304,17 +307,19 @@ private:
         return h.is_valid() && onCurve(m_mesh.edge_handle(h));
     }
 
+    /// Inside the triangle, or within `margin` of it. By distances: a point far along a straight curve is
+    /// near the lines of all three sides, not near the triangle.
     static bool nearTriangle(const Eigen::Vector2d& q, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                              const Eigen::Vector2d& c, double margin) {
-        const auto side = [&](const Eigen::Vector2d& s, const Eigen::Vector2d& t) {
-            const Eigen::Vector2d e = t - s;
-            return (e.x() * (q - s).y() - e.y() * (q - s).x()) / std::max(e.norm(), 1e-300);
+        const auto turn = [&](const Eigen::Vector2d& s, const Eigen::Vector2d& t) {
+            return (t - s).x() * (q - s).y() - (t - s).y() * (q - s).x();
         };
-        const double s0 = side(a, b);
-        const double s1 = side(b, c);
-        const double s2 = side(c, a);
-        return (s0 >= -margin && s1 >= -margin && s2 >= -margin) ||
-               (s0 <= margin && s1 <= margin && s2 <= margin);
+        const double t0 = turn(a, b);
+        const double t1 = turn(b, c);
+        const double t2 = turn(c, a);
+        const bool inside = (t0 > 0 && t1 > 0 && t2 > 0) || (t0 < 0 && t1 < 0 && t2 < 0);
+        return inside || std::min({segmentDistance(q, a, b).distance, segmentDistance(q, b, c).distance,
+                                   segmentDistance(q, c, a).distance}) <= margin;
     }
 
     CleanUpGoal m_goal;
