@@ -3,8 +3,10 @@
 
 #include "base/parallel.h"
 #include "fill/field_repair.h"
+#include "fill/field_tidy.h"
 #include "fill/joined_halves.h"
 #include "fill/outermost_surface.h"
+#include "fill/outlines.h"
 #include "mesh/check.h"
 #include "mesh/measures.h"
 
@@ -16,18 +18,39 @@ namespace moldwright {
 
 namespace {
 
-/// Heights within so many grid steps become one; the second is tried where the first leaves a fault.
-constexpr std::array kSteps = {16.0, 1024.0};
+/// How boldly details that filling makes are simplified: lengths in mean edges of the part.
+struct Boldness {
+    double tidying;  ///< see TidyGoal
+    double flatness; ///< see TidyGoal; outlines nearer to each other are brought together
+    double step;     ///< heights at a point that differ by less become one, in grid steps
+};
 
-PartedMesh filled(const PartedMesh& part, const ShadowGrid& grid, double step) {
+/// Round triangles first, caution where something then crosses.
+constexpr std::array kRungs = {Boldness{0.1, 0.01, 16}, Boldness{0.01, 0.001, 16}, Boldness{0, 0, 16},
+                               Boldness{0, 0, 1024}};
+
+double meanEdge(const IndexedMesh& mesh) {
+    double sum = 0;
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        for (int k = 0; k < 3; ++k)
+            sum += (mesh.corner(f, k) - mesh.corner(f, (k + 1) % 3)).norm();
+    return sum / (3 * mesh.faceCount());
+}
+
+PartedMesh filled(const PartedMesh& part, const ShadowGrid& grid, const Boldness& boldness) {
+    const double edge = meanEdge(part.mesh) / grid.step();
     std::array<std::optional<HeightField>, 2> made;
     parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            made[i] = outermostSurface(projectHalf(part, static_cast<int>(i) + 1, grid), step);
+            made[i] = outermostSurface(projectHalf(part, static_cast<int>(i) + 1, grid), boldness.step);
+            if (boldness.tidying > 0)
+                tidy(*made[i], {boldness.tidying * edge, boldness.flatness * edge});
             makeManifold(*made[i]);
         }
     });
     std::array<HeightField, 2> halves = {std::move(*made[0]), std::move(*made[1])};
+    if (boldness.flatness > 0)
+        matchOutlines(halves, boldness.flatness * edge);
     return joinHalves(halves, grid);
 }
 
@@ -58,11 +81,11 @@ bool sound(const IndexedMesh& mesh) {
 
 Result<FilledPart> fill(const PartedMesh& part, const Directions& directions, const Task& task) {
     const ShadowGrid grid(part.mesh, directions);
-    for (const double step : kSteps) {
+    for (const Boldness& boldness : kRungs) {
         if (task.stopped())
             return failure(ErrorCode::Cancelled, MW_TEXT("fill", "Filling was cancelled."));
         FilledPart result;
-        result.surface = filled(part, grid, step);
+        result.surface = filled(part, grid, boldness);
         if (!sound(result.surface.mesh))
             continue;
         result.sourceVertex = pointsKept(part, result.surface.mesh, grid);

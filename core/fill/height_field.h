@@ -35,14 +35,51 @@ public:
     [[nodiscard]] int seen(Face f) const { return m_mesh.property(m_seen, f); }
     void setSeen(Face f, int face) { m_mesh.property(m_seen, f) = face; }
 
+    /// What tidying may do with a point.
+    enum class Origin : std::uint8_t {
+        New,  ///< filling made it
+        Part, ///< a point of the part is seen there
+        Fixed ///< on the parting line, which both halves share
+    };
+    [[nodiscard]] Origin origin(Vertex v) const { return m_mesh.property(m_origin, v); }
+    void setOrigin(Vertex v, Origin origin) { m_mesh.property(m_origin, v) = origin; }
+
     /// Whether there is anything below the triangle.
     [[nodiscard]] bool solid(Face f) const;
 
     /// Whether the solid ends at an edge.
     [[nodiscard]] bool outline(Edge e) const;
 
+    /// Twice the area of a triangle in the plane; positive.
+    [[nodiscard]] double area(Face f) const;
+
+    /// Whether all triangles run counter-clockwise still when an edge is split at p, which may lie beside it.
+    [[nodiscard]] bool splitKeepsOrder(Edge e, const Eigen::Vector2d& p) const;
+
     /// Puts a point on an edge; heights at it lie between those of the edge's ends, on either side.
     Vertex split(Edge e, const Eigen::Vector2d& p);
+
+    /// Whether a wall stands on an edge, or the solid ends there.
+    [[nodiscard]] bool wall(Edge e) const;
+
+    [[nodiscard]] bool collapsible(Halfedge h) { return m_mesh.is_collapse_ok(h); }
+
+    /// Takes the halfedge's first point to its last; heights there become those of its last point on the same
+    /// side of the edge. Precondition: collapsible.
+    void collapse(Halfedge h);
+
+    /// Turns an edge to join the far corners of its triangles. The new triangles take the heights that the
+    /// old ones have, of `keep` where they differ, and its plane's where it has none.
+    void flip(Edge e, Face keep);
+
+    /// Moves a point; heights stay.
+    void move(Vertex v, const Eigen::Vector2d& p) { m_mesh.point(v).head<2>() = p; }
+
+    /// Drops what was collapsed: handles change.
+    void compact() { m_mesh.garbage_collection(); }
+
+    /// The height of a triangle's plane at p.
+    [[nodiscard]] double planeAt(Face f, const Eigen::Vector2d& p) const;
 
     /// The triangles about v in order, counter-clockwise.
     [[nodiscard]] std::vector<Face> fan(Vertex v) const;
@@ -51,6 +88,7 @@ private:
     TriangleMesh m_mesh;
     OpenMesh::HPropHandleT<double> m_height;
     OpenMesh::FPropHandleT<int> m_seen;
+    OpenMesh::VPropHandleT<Origin> m_origin;
 };
 
 } // namespace moldwright

@@ -2,6 +2,7 @@
 #include "fill/joined_halves.h"
 
 #include "fill/cgal/planar_triangulation.h"
+#include "fill/outlines.h"
 
 #include <algorithm>
 #include <map>
@@ -32,26 +33,6 @@ private:
     std::map<std::pair<double, double>, int> m_numbers;
     std::vector<Eigen::Vector2d> m_points;
 };
-
-/// An edge where one half's solid ends.
-struct OutlineEdge {
-    std::size_t half = 0;
-    Vertex from;
-    Vertex to;
-};
-
-std::vector<OutlineEdge> outlinesOf(const std::array<HeightField, 2>& halves) {
-    std::vector<OutlineEdge> outlines;
-    for (std::size_t half = 0; half < 2; ++half) {
-        const TriangleMesh& mesh = halves[half].mesh();
-        for (const auto e : mesh.edges())
-            if (halves[half].outline(e)) {
-                const auto h = mesh.halfedge_handle(e, 0);
-                outlines.push_back({half, mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)});
-            }
-    }
-    return outlines;
-}
 
 /// A triangle of the plane and in which halves' outlines it lies.
 struct Cap {

@@ -115,6 +115,18 @@ double heightAtNode(const ProjectedHalf& half, const VisibleEdges& edges, int fa
     return heightAt(half, seen, p);
 }
 
+/// The frame stays, and so does the parting line, which is shared with the other half.
+void setOrigins(HeightField& field, const ProjectedHalf& half, const Plane& plane) {
+    for (const auto v : field.mesh().vertices()) {
+        const int node = plane.nodeOf[static_cast<std::size_t>(v.idx())];
+        if (field.mesh().is_boundary(v) || (node >= 0 && node < static_cast<int>(half.nodes.size()) &&
+                                            half.inPlane[static_cast<std::size_t>(node)]))
+            field.setOrigin(v, HeightField::Origin::Fixed);
+        else if (node >= 0 && node < static_cast<int>(half.nodes.size()))
+            field.setOrigin(v, HeightField::Origin::Part);
+    }
+}
+
 /// Heights at a point that nearly agree become one: the highest of them, or 0 with the plane among them.
 void joinNearHeights(HeightField& field, double step) {
     std::vector<HeightField::Halfedge> corners;
@@ -156,6 +168,7 @@ HeightField outermostSurface(const ProjectedHalf& half, double step) {
                                             plane.nodeOf[static_cast<std::size_t>(v.idx())], field.point(v)));
         }
     }
+    setOrigins(field, half, plane);
     joinNearHeights(field, step);
     return field;
 }

@@ -95,6 +95,10 @@ ProjectedHalf projectHalf(const PartedMesh& part, int side, const ShadowGrid& gr
         if (used[v])
             points.push_back(static_cast<int>(v));
     mergeShadows(points, shadows, half);
+    half.inPlane.assign(half.nodes.size(), 0);
+    for (const int v : points)
+        if (heights[static_cast<std::size_t>(v)] == 0)
+            half.inPlane[static_cast<std::size_t>(half.nodeOf[static_cast<std::size_t>(v)])] = 1;
     for (std::size_t f = 0; f < corners.size(); ++f)
         for (std::size_t k = 0; k < 3; ++k)
             half.faces[f].node[k] = half.nodeOf[static_cast<std::size_t>(corners[f][k])];

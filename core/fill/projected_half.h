@@ -69,7 +69,8 @@ struct ProjectedHalf {
     std::vector<Eigen::Vector2d> nodes; ///< on the grid
     std::vector<ShadowFace> faces;
     std::vector<ShadowEdge> edges;
-    std::vector<int> nodeOf; ///< per point of the mesh, −1 for one that belongs to no such face
+    std::vector<char> inPlane; ///< per node: whether a point of the parting line is seen there
+    std::vector<int> nodeOf;   ///< per point of the mesh, −1 for one that belongs to no such face
 
     [[nodiscard]] const Eigen::Vector2d& corner(const ShadowFace& face, std::size_t k) const {
         return nodes[static_cast<std::size_t>(face.node[k])];
