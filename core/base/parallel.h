@@ -19,7 +19,7 @@ void parallelFor(std::size_t count, std::size_t grain,
 /// Sum of partial(begin, end) over the blocks of [0, count), added in block order: the same bits for any
 /// number of threads. T needs a zero value and +=.
 template <class T>
-[[nodiscard]] T parallelSum(std::size_t count, std::size_t grain, T zero,
+[[nodiscard]] T parallelSum(std::size_t count, std::size_t grain, const T& zero,
                             const std::function<T(std::size_t begin, std::size_t end)>& partial) {
     const std::size_t blocks = (count + grain - 1) / grain;
     std::vector<T> parts(blocks, zero);

@@ -1,52 +1,44 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/face_arrays.h"
 #include "castability/mold_state.h"
-#include "mesh/indexed_mesh.h"
 
 #include <vector>
 
 namespace moldwright {
 
-/// The faces of one side as a direction sees them: unit normals and areas, as structure of arrays.
-struct SideFaces {
-    std::vector<double> nx, ny, nz, area;
+/// The faces of one side as a direction sees them: unit normals and areas, eight side by side; lanes with
+/// area 0 belong to the other side. A face that crosses the plane is on both with its share of the area.
+class SideFaces {
+public:
+    static constexpr int L = FaceArrays::kLanes;
+    struct alignas(64) Batch {
+        double normal[3][L];
+        double area[L];
+    };
 
-    void add(const Eigen::Vector3d& N, double a);
+    /// Energy against a direction d, ½ Σ a min(N·d − τ, 0)², with its derivatives in ℝ³. [Stein 2019], Eq.
+    /// (2).
+    struct Energy {
+        double value = 0;
+        Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+        Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+    };
+    [[nodiscard]] Energy energy(const Eigen::Vector3d& d, double tau) const;
+
+    std::vector<std::vector<Batch>> blocks; ///< in the order of the faces
 };
 
-/// Faces of both sides; a face that crosses the plane is in both with its share of the area.
+/// The faces of both sides of a plane.
 struct PartedFaces {
     SideFaces side1;
     SideFaces side2;
 };
 [[nodiscard]] PartedFaces partFaces(const IndexedMesh& mesh, const PartingPlane& plane);
 
-/// Energy of one side against direction d: ½ Σ a min(N·d − τ, 0)²; its gradient in ℝ³ if wanted. [Stein
-/// 2019], Eq. (2).
-[[nodiscard]] double sideEnergy(const SideFaces& faces, const Eigen::Vector3d& d, double tau,
-                                Eigen::Vector3d* gradient = nullptr);
-
-/// A direction within a cone about `axis`, as two free numbers: d = normalize(axis + tan(tilt)·c/√(1+|c|²)),
-/// c in the plane of `planeAxes(axis)`. Every c is allowed, so d·axis > 0 and the tilt cap hold by
-/// construction.
-class ConeDirection {
-public:
-    ConeDirection(const Eigen::Vector3d& axis, double maxTiltDegrees);
-
-    [[nodiscard]] Eigen::Vector3d direction(const Eigen::Vector2d& c) const;
-    /// Gradient with respect to c from the gradient g with respect to d.
-    [[nodiscard]] Eigen::Vector2d pullBack(const Eigen::Vector2d& c, const Eigen::Vector3d& g) const;
-    /// The c of a direction; one outside the cone is brought to its rim.
-    [[nodiscard]] Eigen::Vector2d coordinates(const Eigen::Vector3d& d) const;
-
-private:
-    Eigen::Vector3d m_axis;
-    Eigen::Matrix<double, 3, 2> m_tangents;
-    double m_reach; ///< tan of the largest tilt
-};
-
-/// Directions of least energy for a given plane, within the tilt cap. [Stein 2019], Section 5.1.
+/// Directions of least energy for a given plane, no further than the tilt cap from its normal: Newton's
+/// method for d ∝ n + T·u in the disc |u| ≤ tan(tilt cap). [Stein 2019], Section 5.1.
 [[nodiscard]] Directions bestDirections(const IndexedMesh& mesh, const PartingPlane& plane,
                                         double draftDegrees, double maxTiltDegrees);
 
