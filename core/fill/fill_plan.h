@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "fill/fill.h"
+#include "fill/mesh_difference.h"
+
+#include <vector>
+
+namespace moldwright {
+
+/// A part of what filling a part changes, that can be filled or left on its own.
+struct FillRegion {
+    int side = 0;          ///< 1 or 2; 0: it reaches through the plane
+    Eigen::Vector3d place; ///< a point of the surface that would vanish, plane's frame
+    double size = 0;       ///< diagonal of its box, mm
+    double volume = 0;     ///< what would be filled in, mm³
+    bool needed = false;   ///< without it the topological certificate fails; see FillPlan
+};
+
+/// What filling would do, region by region. Where the filled part and the part agree there is nothing to
+/// choose; everything else falls into regions.
+struct FillPlan {
+    std::vector<FillRegion> regions; ///< the largest volume first
+    PartedMesh part;                 ///< on the exact grid of fill(); plane's frame
+    FilledPart filled;               ///< with all regions chosen
+    MeshDifference difference;       ///< from part to filled; its patches are the regions
+
+    /// The regions marked needed: with them alone the topological certificate holds, and without any one of
+    /// them it would not. Other choices may serve too; this one leaves the largest regions unfilled first.
+    [[nodiscard]] std::vector<int> needed() const;
+};
+
+/// Plans the filling of a parted mesh. `part` and directions in the plane's frame. Errors: those of fill().
+[[nodiscard]] Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions,
+                                        const Task& task = {});
+
+/// The part with the chosen regions filled and all others as they were; these keep their undercuts. Checked
+/// as fill() checks. Errors: Internal where surfaces that were to stay cross those that filling makes;
+/// `faces` names the regions to choose besides.
+[[nodiscard]] Result<FilledPart> fillChosen(const FillPlan& plan, const std::vector<int>& chosen);
+
+/// Fills as little as the topological certificate asks for, and what that drags along.
+[[nodiscard]] Result<FilledPart> minimalFill(const FillPlan& plan);
+
+} // namespace moldwright

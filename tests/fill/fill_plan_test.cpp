@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "fill/fill_plan.h"
+
+#include "base/parallel.h"
+#include "castability/topology.h"
+#include "filled_checks.h"
+#include "mesh/check.h"
+#include "mesh/measures.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <numeric>
+
+using namespace moldwright;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+IndexedMesh shifted(IndexedMesh mesh, const Eigen::Vector3d& by) {
+    mesh.V.rowwise() += by.transpose();
+    return mesh;
+}
+
+IndexedMesh turnedOver(IndexedMesh mesh) {
+    mesh.F.col(1).swap(mesh.F.col(2));
+    return mesh;
+}
+
+IndexedMesh standingTorus(double x) {
+    return shifted(test::rotated(test::torus(2, 0.7, 64, 48), Eigen::Vector3d::UnitY(), kPi / 2 - 0.1),
+                   {x, 0, 0.05});
+}
+
+FillPlan planned(const IndexedMesh& mesh) {
+    const auto plan = planFill(insertPartingLine(mesh, 0.1), {});
+    EXPECT_TRUE(plan.has_value());
+    return plan ? *plan : FillPlan{};
+}
+
+double ballVolume(double r) {
+    return 4 * kPi * r * r * r / 3;
+}
+
+} // namespace
+
+TEST(FillPlan, WhatNeedsNothingIsLeftAsItIs) {
+    // Undercut below its equator, but a graph once bent.
+    const FillPlan plan = planned(test::sphere({0, 0, 0.4}, 1, 4));
+    ASSERT_EQ(plan.regions.size(), 1U);
+    EXPECT_EQ(plan.regions[0].side, 1);
+    EXPECT_FALSE(plan.regions[0].needed);
+    EXPECT_NEAR(plan.regions[0].volume, plan.filled.volume, 1e-3 * plan.filled.volume);
+    const auto least = minimalFill(plan);
+    ASSERT_TRUE(least);
+    EXPECT_NEAR(least->volume, 0, 1e-9);
+    EXPECT_EQ(least->surface.mesh.faceCount(), plan.part.mesh.faceCount());
+}
+
+TEST(FillPlan, EachOfTwoStandingToriHasAHoleOfItsOwn) {
+    const FillPlan plan = planned(test::together(standingTorus(-3), standingTorus(3)));
+    const std::vector<int> needed = plan.needed();
+    ASSERT_EQ(needed.size(), 2U);
+    EXPECT_LT(plan.regions[static_cast<std::size_t>(needed[0])].place.x() *
+                  plan.regions[static_cast<std::size_t>(needed[1])].place.x(),
+              0);
+    const auto least = minimalFill(plan);
+    ASSERT_TRUE(least);
+    EXPECT_TRUE(topologyAllowsCasting(least->surface.mesh, least->surface.labels));
+    EXPECT_LE(least->volume, plan.filled.volume * (1 + 1e-6));
+}
+
+TEST(FillPlan, OneOfTwoHolesCanBeFilledAlone) {
+    const FillPlan plan = planned(test::together(standingTorus(-3), standingTorus(3)));
+    const std::vector<int> needed = plan.needed();
+    ASSERT_EQ(needed.size(), 2U);
+    const auto one = fillChosen(plan, {needed[0]});
+    ASSERT_TRUE(one) << one.error().english();
+    const FillRegion& region = plan.regions[static_cast<std::size_t>(needed[0])];
+    EXPECT_NEAR(one->volume, region.volume, 1e-9 * ballVolume(1));
+    EXPECT_FALSE(topologyAllowsCasting(one->surface.mesh, one->surface.labels));
+    EXPECT_TRUE(diagnose(one->surface.mesh).selfIntersections.empty());
+    // The other torus is still there, face by face.
+    int kept = 0;
+    for (int f = 0; f < one->surface.mesh.faceCount(); ++f)
+        kept += one->surface.mesh.corner(f, 0).x() * region.place.x() < 0 ? 1 : 0;
+    int before = 0;
+    for (int f = 0; f < plan.part.mesh.faceCount(); ++f)
+        before += plan.part.mesh.corner(f, 0).x() * region.place.x() < 0 ? 1 : 0;
+    EXPECT_EQ(kept, before);
+}
+
+TEST(FillPlan, AClosedCavityIsARegionOfItsOwn) {
+    const IndexedMesh hollow =
+        test::together(test::sphere({0, 0, 0}, 2, 4), turnedOver(test::sphere({0, 0, 1}, 0.5, 3)));
+    const FillPlan plan = planned(hollow);
+    ASSERT_EQ(plan.needed().size(), 1U);
+    const FillRegion& region = plan.regions[static_cast<std::size_t>(plan.needed()[0])];
+    EXPECT_EQ(region.side, 1);
+    EXPECT_NEAR(region.volume, ballVolume(0.5), 0.03 * ballVolume(0.5));
+    EXPECT_NEAR(region.size, std::sqrt(3.0), 0.02);
+    EXPECT_LT((region.place - Eigen::Vector3d(0, 0, 1)).norm(), 0.6);
+    const auto least = minimalFill(plan);
+    ASSERT_TRUE(least);
+    EXPECT_NEAR(least->volume, region.volume, 1e-9);
+}
+
+TEST(FillPlan, WhatFloatsInACavityGoesWithIt) {
+    const IndexedMesh cavity =
+        test::together(test::sphere({0, 0, 0}, 3, 4), turnedOver(test::sphere({0, 0, 1.5}, 1, 4)));
+    const FillPlan plan = planned(test::together(cavity, test::sphere({0.1, 0, 1.4}, 0.4, 3)));
+    ASSERT_EQ(plan.needed().size(), 1U);
+    const FillRegion& region = plan.regions[static_cast<std::size_t>(plan.needed()[0])];
+    EXPECT_NEAR(region.volume, ballVolume(1) - ballVolume(0.4), 0.02 * ballVolume(1));
+    const auto least = minimalFill(plan);
+    ASSERT_TRUE(least);
+    EXPECT_EQ(diagnose(least->surface.mesh).components, 1);
+}
+
+TEST(FillPlan, APieceThatFloatsGetsAFoot) {
+    const IndexedMesh two = test::together(test::sphere({0, 0, 0}, 1, 4), test::sphere({3, 0, 2}, 0.5, 4));
+    const FillPlan plan = planned(two);
+    ASSERT_EQ(plan.needed().size(), 1U);
+    const auto least = minimalFill(plan);
+    ASSERT_TRUE(least);
+    EXPECT_NEAR(least->volume, kPi * 0.25 * 2 - ballVolume(0.5) / 2, 0.05);
+}
+
+TEST(FillPlan, AllRegionsTogetherFillEverything) {
+    const FillPlan plan = planned(standingTorus(0));
+    std::vector<int> all(plan.regions.size());
+    std::iota(all.begin(), all.end(), 0);
+    const auto everything = fillChosen(plan, all);
+    ASSERT_TRUE(everything);
+    EXPECT_NEAR(everything->volume, plan.filled.volume, 1e-6 * plan.filled.volume);
+    test::expectSound(*everything, {});
+}
+
+TEST(FillPlan, IsTheSameForAnyNumberOfThreads) {
+    setThreadCount(1);
+    const auto one = minimalFill(planned(standingTorus(0)));
+    setThreadCount(4);
+    const auto four = minimalFill(planned(standingTorus(0)));
+    setThreadCount(0);
+    ASSERT_TRUE(one && four);
+    EXPECT_EQ(one->surface.mesh.V, four->surface.mesh.V);
+    EXPECT_EQ(one->surface.mesh.F, four->surface.mesh.F);
+    EXPECT_EQ(one->sourceVertex, four->sourceVertex);
+}
