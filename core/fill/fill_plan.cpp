@@ -113,7 +113,7 @@ void numberByVolume(MeshDifference& difference, double nothing) {
     const std::vector<Patch> patches = patchesOf(difference);
     std::vector<int> order;
     for (std::size_t p = 0; p < patches.size(); ++p)
-        if (std::abs(patches[p].volume) > nothing)
+        if (patches[p].volume > nothing)
             order.push_back(static_cast<int>(p));
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
         return patches[static_cast<std::size_t>(a)].volume > patches[static_cast<std::size_t>(b)].volume;
