@@ -24,6 +24,7 @@ enum class Needs {
     ProvedCast,
     MoldBuilt,
     Running,
+    Bending,
     Undo,
     Redo
 };

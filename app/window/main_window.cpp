@@ -45,6 +45,7 @@ MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     connectActions();
     connectBench();
     connectPanels();
+    connectView();
     restoreLayout();
     applyTheme();
     if (m_bench.project().part)
@@ -124,7 +125,8 @@ void MainWindow::refreshView() {
     scene.setSurfaceVisible(m_visible.shape);
     scene.setPlaneVisible(m_visible.plane && !inMold);
     scene.setDirectionsVisible(m_visible.directions && !inMold);
-    m_view->setPlaneEditable(m_visible.plane && !inMold && !m_bench.background().busy());
+    m_view->setEditable(!inMold && !m_bench.background().busy());
+    m_view->setTiltLimit(m_bench.project().design.maxTiltDegrees);
     scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, m_mode));
     scene.setStateChip(stateChipFor(m_bench));
     std::vector<scene::Chip> chips;
@@ -203,6 +205,8 @@ void MainWindow::refreshActions() {
             return idle && m_bench.moldIsCurrent();
         case Needs::Running:
             return m_bench.running();
+        case Needs::Bending:
+            return m_bench.bending();
         case Needs::Undo:
             return idle && history.canUndo();
         case Needs::Redo:
@@ -211,7 +215,13 @@ void MainWindow::refreshActions() {
         return false;
     });
     m_actions[u"run"_s]->setVisible(!m_bench.running());
-    m_actions[u"stop"_s]->setVisible(m_bench.running());
+    for (const QString& id : {u"finish"_s, u"pause"_s, u"stop"_s})
+        m_actions[id]->setVisible(m_bench.running());
+    QAction* pause = m_actions[u"pause"_s];
+    if (const QString words = m_bench.resting() ? tr("&Go on") : tr("&Pause"); pause->text() != words) {
+        pause->setText(words);
+        pause->setIcon(themeIcon(m_bench.resting() ? u"play"_s : u"pause"_s));
+    }
     m_actions[u"show-plane"_s]->setChecked(m_visible.plane);
     m_actions[u"show-directions"_s]->setChecked(m_visible.directions);
 }
@@ -233,8 +243,11 @@ void MainWindow::refreshHint() {
         m_hint->setText(tr("Open a part, drop one here, or choose a sample. %1").arg(keys));
     else if (m_view->pickingFaces())
         m_hint->setText(tr("<b>Click</b> the face that shall lie on the ground. <b>Esc</b> leaves."));
+    else if (m_bench.resting())
+        m_hint->setText(
+            tr("The shape rests. <b>Space</b> bends it further, <b>Ctrl+Shift+Return</b> finishes it."));
     else if (m_bench.running())
-        m_hint->setText(tr("The part bends. <b>Ctrl+.</b> stops it."));
+        m_hint->setText(tr("The part bends. <b>Space</b> holds it, <b>Ctrl+.</b> stops it."));
     else if (moldShown())
         m_hint->setText(tr("<b>X</b> opens and closes the mold. %1").arg(keys));
     else
@@ -247,9 +260,10 @@ void MainWindow::refreshProperties(bool evenIfSame) {
     if (!m_bench.project().part)
         return;
     const PropertyPage page = propertyPage(m_selected, m_bench, m_actions);
-    // The mold's page has other buttons once the mold is built.
-    const QString layout =
-        page.id + (page.id == u"mold"_s && m_bench.moldIsCurrent() ? u"-built"_s : QString());
+    // The mold's page has other buttons once the mold is built, that of the deformation while it runs.
+    const QString layout = page.id + (page.id == u"mold"_s && m_bench.moldIsCurrent() ? u"-built"_s
+                                      : page.id == u"deform"_s && m_bench.running()   ? u"-running"_s
+                                                                                      : QString());
     m_properties->showPage(page, evenIfSame || layout != m_properties->property("layout").toString());
     m_properties->setProperty("layout", layout);
     fillPage(*m_properties, m_bench);

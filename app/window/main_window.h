@@ -73,6 +73,7 @@ private:
     void connectWindowActions();
     void connectBench();
     void connectPanels();
+    void connectView();
     void showKeys();
     void showAbout();
     void walkZones(int way);

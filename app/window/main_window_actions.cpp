@@ -37,6 +37,16 @@ namespace moldwright {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/// A direction turned by hand is meant: the run shall take it as it is.
+Project draggedTo(const Project& project, const MoldState& state, scene::Grip grip) {
+    const bool direction = grip == scene::Grip::Direction1 || grip == scene::Grip::Direction2;
+    return direction ? withDirections(project, state.directions) : withState(project, state, true);
+}
+
+} // namespace
+
 void MainWindow::connectActions() {
     connectFileActions();
     connectViewActions();
@@ -115,6 +125,8 @@ void MainWindow::connectPartActions() {
         select(u"deform"_s);
         m_bench.run();
     });
+    m_actions.on(u"finish"_s, [this] { m_bench.finish(); });
+    m_actions.on(u"pause"_s, [this] { m_bench.resting() ? m_bench.goOn() : m_bench.rest(); });
     m_actions.on(u"stop"_s, [this] { m_bench.stop(); });
     m_actions.on(u"restore"_s, [this] { m_bench.restoreShape(); });
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
@@ -210,12 +222,24 @@ void MainWindow::connectPanels() {
             [this](const QString& id, const QVariant& value) { applyProperty(m_bench, id, value, true); });
     connect(m_properties, &PropertyPanel::committed, this,
             [this](const QString& id, const QVariant& value) { applyProperty(m_bench, id, value, false); });
-    connect(m_view, &PartView::planePreviewed, this, [this](const MoldState& state) {
-        m_bench.document().preview(withState(m_bench.document().committed(), state, true));
+    connect(m_messages, &MessageList::showMe, m_view, &PartView::frame);
+    connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {
+        if (row >= 0 && !m_bench.background().busy())
+            m_bench.document().goTo(static_cast<std::size_t>(row));
     });
-    connect(m_view, &PartView::planeCommitted, this,
-            [this](const MoldState& state) { m_bench.setState(state, tr("Move the plane")); });
-    connect(m_view, &PartView::planeDragCancelled, this, [this] { m_bench.document().endPreview(); });
+}
+
+void MainWindow::connectView() {
+    connect(m_view, &PartView::dragPreviewed, this, [this](const MoldState& state, scene::Grip grip) {
+        m_bench.document().preview(draggedTo(m_bench.document().committed(), state, grip));
+    });
+    connect(m_view, &PartView::dragCommitted, this, [this](const MoldState& state, scene::Grip grip) {
+        const QString words = grip == scene::Grip::Direction1   ? tr("Turn direction 1")
+                              : grip == scene::Grip::Direction2 ? tr("Turn direction 2")
+                                                                : tr("Move the plane");
+        m_bench.document().edit(words, draggedTo(m_bench.document().committed(), state, grip));
+    });
+    connect(m_view, &PartView::dragCancelled, this, [this] { m_bench.document().endPreview(); });
     connect(m_view, &PartView::faceClicked, this, [this](int face) {
         m_bench.layFlatOn(face);
         escape();
@@ -231,11 +255,6 @@ void MainWindow::connectPanels() {
     connect(m_viewBar, &ViewBar::openingChanged, this, [this](double opening) {
         m_view->scene().setOpening(opening);
         m_view->fitAll();
-    });
-    connect(m_messages, &MessageList::showMe, m_view, &PartView::frame);
-    connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (row >= 0 && !m_bench.background().busy())
-            m_bench.document().goTo(static_cast<std::size_t>(row));
     });
 }
 

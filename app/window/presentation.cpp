@@ -32,6 +32,8 @@ QString sizeText(const Eigen::Vector3d& size) {
 StepState deformState(const Workbench& bench) {
     if (bench.running()) {
         const auto& frame = bench.frame();
+        if (bench.resting())
+            return {Standing::Running, Words::tr("Paused")};
         return {Standing::Running,
                 frame ? Words::tr("Running, step %1").arg(frame->frame.step) : Words::tr("Running")};
     }
@@ -255,8 +257,9 @@ scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode) {
 scene::PanelContent stateChipFor(const Workbench& bench) {
     QString words;
     if (bench.running())
-        words =
-            bench.frame() ? Words::tr("Step %1, live").arg(bench.frame()->frame.step) : Words::tr("Starting");
+        words = !bench.frame()    ? Words::tr("Starting")
+                : bench.resting() ? Words::tr("Step %1, paused").arg(bench.frame()->frame.step)
+                                  : Words::tr("Step %1, live").arg(bench.frame()->frame.step);
     else if (bench.castShown())
         words = Words::tr("Cast");
     else

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/property_pages.h"
 
-#include "mesh/measures.h"
-#include "project/edits.h"
-#include "project/placing.h"
-#include "scene/plane_handle.h"
 #include "window/action_table.h"
-#include "window/presentation.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
-
-#include <cmath>
 
 namespace moldwright {
 
@@ -43,6 +36,10 @@ PropertySection draftGoal() {
                     {u"°"_s, 0, 10, 0.1, 1, true})},
             {},
             false};
+}
+
+ChoiceProperty directionChoices() {
+    return {{Words::tr("Best for the plane"), Words::tr("Along the normal"), Words::tr("As they are")}};
 }
 
 PropertyPage partPage(const Workbench& bench, const Actions& actions) {
@@ -87,8 +84,7 @@ PropertyPage planePage(const Workbench&, const Actions& actions) {
         {Words::tr("Directions"),
          {Property{u"choice"_s, Words::tr("While it runs"),
                    Words::tr("How the removal directions are chosen when the part is deformed."),
-                   ChoiceProperty{{Words::tr("Best for the plane"), Words::tr("Along the normal"),
-                                   Words::tr("As they are")}}},
+                   directionChoices()},
           number(u"tilt"_s, Words::tr("Tilt limit"),
                  Words::tr("How far a direction may lean from the plane's normal."),
                  {u"°"_s, 0, 60, 1, 0, true})},
@@ -104,7 +100,41 @@ PropertyPage planePage(const Workbench&, const Actions& actions) {
     return page;
 }
 
-PropertyPage deformPage(const Workbench&, const Actions& actions) {
+PropertyPage directionPage(int side, const Workbench& bench, const Actions& actions) {
+    PropertyPage page{u"direction-%1"_s.arg(side),
+                      u"direction"_s,
+                      Words::tr("Direction %1").arg(side),
+                      Words::tr("Drag the arrow's tip in the view, or type here."),
+                      {}};
+    const double limit = bench.project().design.maxTiltDegrees;
+    page.sections.push_back(
+        {Words::tr("Direction"),
+         {number(u"lean%1"_s.arg(side), Words::tr("Tilt"), Words::tr("Angle to the plane's normal."),
+                 {u"°"_s, 0, limit, 1, 1, true}),
+          number(u"way%1"_s.arg(side), Words::tr("Leans towards"),
+                 Words::tr("The way it leans, counted in the plane. Without tilt it says nothing."),
+                 {u"°"_s, 0, 360, 15, 1, false}),
+          reading(u"components%1"_s.arg(side), Words::tr("X, Y, Z"))},
+         {actions[u"best-directions"_s], actions[u"normal-directions"_s]},
+         false});
+    page.sections.push_back(
+        {Words::tr("While it runs"),
+         {Property{u"choice"_s, Words::tr("Directions"), Words::tr("How the removal directions are chosen."),
+                   directionChoices()},
+          number(u"tilt"_s, Words::tr("Tilt limit"),
+                 Words::tr("How far a direction may lean from the plane's normal."),
+                 {u"°"_s, 0, 60, 1, 0, true})},
+         {},
+         false});
+    page.sections.push_back({Words::tr("Measured"),
+                             {goalReading(u"worst"_s, Words::tr("Worst draft")),
+                              goalReading(u"below"_s, Words::tr("Area below"))},
+                             {},
+                             false});
+    return page;
+}
+
+PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
     PropertyPage page{u"deform"_s,
                       u"deform"_s,
                       Words::tr("Deform"),
@@ -117,12 +147,13 @@ PropertyPage deformPage(const Workbench&, const Actions& actions) {
     page.sections.push_back(
         {Words::tr("While it runs"),
          {Property{u"choice"_s, Words::tr("Directions"), Words::tr("How the removal directions are chosen."),
-                   ChoiceProperty{{Words::tr("Best for the plane"), Words::tr("Along the normal"),
-                                   Words::tr("As they are")}}},
+                   directionChoices()},
           number(u"tilt"_s, Words::tr("Tilt limit"),
                  Words::tr("How far a direction may lean from the plane's normal."),
                  {u"°"_s, 0, 60, 1, 0, true})},
-         {actions[u"run"_s], actions[u"stop"_s], actions[u"restore"_s]},
+         bench.running()
+             ? std::vector<QAction*>{actions[u"finish"_s], actions[u"pause"_s], actions[u"stop"_s]}
+             : std::vector<QAction*>{actions[u"run"_s], actions[u"restore"_s]},
          true});
     page.sections.push_back(
         {Words::tr("Measured"),
@@ -183,162 +214,13 @@ PropertyPage castPage(const Workbench&, const Actions& actions) {
     return page;
 }
 
-QStringList measured(const QString& value, const QString& goal = {}) {
-    return {value, goal};
-}
-
-void fillMeasures(PropertyPanel& panel, const Workbench& bench) {
-    const Project& project = bench.project();
-    const SharedMesh mesh = bench.shownMesh();
-    const DraftAnalysis* analysis = bench.shownAnalysis();
-    const double required = project.design.draftDegrees;
-    if (analysis) {
-        panel.setValue(u"worst"_s,
-                       measured(draftText(analysis->worstDraftDegrees), u"≥ "_s + angleText(required)));
-        panel.setMissesGoal(u"worst"_s, analysis->violatingArea > 0);
-        panel.setValue(u"below"_s,
-                       measured(u"%1 cm²"_s.arg(analysis->violatingArea / 100, 0, 'f', 1), u"0"_s));
-        panel.setMissesGoal(u"below"_s, analysis->violatingArea > 0);
-        panel.setValue(u"energy"_s, measured(QString::number(analysis->energy, 'g', 3), u"0"_s));
-    }
-    const double partVolume = volume(*project.part);
-    const bool partPageShown = panel.pageId() == u"part"_s;
-    panel.setValue(u"volume"_s, measured(partPageShown ? u"%1 cm³"_s.arg(partVolume / 1000, 0, 'f', 1)
-                                                       : percentText(volume(*mesh) / partVolume)));
-    const Eigen::Vector3d size = boundingBox(*project.part).sizes();
-    panel.setValue(
-        u"extent"_s,
-        measured(
-            u"%1 × %2 × %3"_s.arg(size.x(), 0, 'f', 1).arg(size.y(), 0, 'f', 1).arg(size.z(), 0, 'f', 1)));
-    panel.setValue(u"area"_s, measured(u"%1 cm²"_s.arg(surfaceArea(*project.part) / 100, 0, 'f', 1)));
-    panel.setValue(u"faces"_s, measured(QString::number(project.part->faceCount())));
-    const bool cast = bench.castShown();
-    panel.setValue(
-        u"distance"_s,
-        measured(cast ? u"%1 %"_s.arg(100 * project.cast->change.meanDistance, 0, 'f', 2) : u"–"_s));
-    double shortest = 2;
-    for (const LimbMeasure& limb : cast ? project.cast->limbs : std::vector<LimbMeasure>())
-        shortest = std::min(shortest, limb.lengthRatio);
-    panel.setValue(u"limb"_s, measured(shortest < 2 ? percentText(shortest) : Words::tr("no limbs"),
-                                       shortest < 2 ? u"≥ 85 %"_s : QString()));
-}
-
-void fillProof(PropertyPanel& panel, const Workbench& bench) {
-    if (panel.pageId() != u"cast"_s)
-        return;
-    const bool known = bench.castShown() && bench.analysisIsCurrent() && bench.analysis()->certificate;
-    const QString unknown = u"–"_s;
-    if (!known) {
-        for (const QString& id : {u"crossing"_s, u"curve"_s, u"proof"_s})
-            panel.setValue(id, measured(unknown));
-        return;
-    }
-    const Certificate& proof = *bench.analysis()->certificate;
-    panel.setValue(u"worst"_s, measured(draftText(proof.worstDraftDegrees),
-                                        u"≥ "_s + angleText(bench.project().design.draftDegrees)));
-    panel.setValue(
-        u"crossing"_s,
-        measured(proof.selfIntersectionFree ? Words::tr("none") : Words::tr("found"), Words::tr("none")));
-    panel.setMissesGoal(u"crossing"_s, !proof.selfIntersectionFree);
-    panel.setValue(u"curve"_s,
-                   measured(proof.curvesSimpleAndNested && proof.curvesOnPlane ? Words::tr("simple")
-                                                                               : Words::tr("crosses itself"),
-                            Words::tr("simple")));
-    panel.setMissesGoal(u"curve"_s, !(proof.curvesSimpleAndNested && proof.curvesOnPlane));
-    panel.setValue(u"proof"_s, measured(proof.holds() ? Words::tr("yes") : Words::tr("no")));
-    panel.setMissesGoal(u"proof"_s, !proof.holds());
-}
-
-void fillMold(PropertyPanel& panel, const Workbench& bench) {
-    if (panel.pageId() != u"mold"_s)
-        return;
-    const MoldSettings& settings = bench.project().mold;
-    panel.setValue(u"wall"_s, settings.wall);
-    panel.setValue(u"ceiling"_s, settings.ceiling);
-    panel.setValue(u"floor"_s, settings.floor);
-    if (!bench.mold())
-        return;
-    const Mold& mold = *bench.mold();
-    const auto size = [](const Eigen::Vector3d& s) {
-        return u"%1 × %2 × %3"_s.arg(s.x(), 0, 'f', 1).arg(s.y(), 0, 'f', 1).arg(s.z(), 0, 'f', 1);
-    };
-    panel.setValue(u"half1"_s, measured(size(mold.half1.size)));
-    panel.setValue(u"half2"_s, measured(size(mold.half2.size)));
-    panel.setValue(u"cavity"_s, measured(u"%1 cm³"_s.arg(mold.cavityVolume / 1000, 0, 'f', 1)));
-    panel.setValue(u"halves"_s,
-                   measured(u"%1 cm³"_s.arg((mold.half1.volume + mold.half2.volume) / 1000, 0, 'f', 0)));
-    panel.setValue(u"steel"_s, measured(u"%1 mm"_s.arg(mold.minWall, 0, 'f', 2)));
-    panel.setValue(u"proof"_s, measured(!bench.moldIsCurrent() ? Words::tr("out of date")
-                                        : mold.verified()      ? Words::tr("proved")
-                                                               : Words::tr("no")));
-    panel.setMissesGoal(u"proof"_s, !mold.verified());
-}
-
-Placement scaledTo(const Project& project, double longest) {
-    const double now = boundingBox(*project.part).sizes().maxCoeff();
-    Placement placement = project.placement;
-    placement.scale *= longest / now;
-    return placement;
-}
-
-Placement placedAt(const Project& project, int axis, double middle) {
-    Eigen::Vector3d way = Eigen::Vector3d::Zero();
-    way[axis] = middle - boundingBox(*project.part).center()[axis];
-    return moved(project.placement, Eigen::Isometry3d(Eigen::Translation3d(way)));
-}
-
-DirectionsChoice choiceAt(int index) {
-    return index == 1   ? DirectionsChoice::Normal
-           : index == 2 ? DirectionsChoice::Given
-                        : DirectionsChoice::Automatic;
-}
-
-struct Edit {
-    QString words;
-    Project after;
-};
-
-std::optional<Edit> editFor(const Project& project, const QString& id, const QVariant& value) {
-    const double number = value.toDouble();
-    DesignSettings design = project.design;
-    MoldSettings mold = project.mold;
-    if (id == u"size"_s)
-        return Edit{Words::tr("Scale the part"), withPlacement(project, scaledTo(project, number))};
-    for (int axis = 0; axis < 3; ++axis)
-        if (id == QString(QChar(u'x' + axis)))
-            return Edit{Words::tr("Move the part"), withPlacement(project, placedAt(project, axis, number))};
-    if (id == u"offset"_s && project.state) {
-        PartingPlane plane = project.state->plane;
-        plane.offset = number;
-        return Edit{Words::tr("Move the plane"),
-                    withState(project, scene::withPlane(*project.state, plane), true)};
-    }
-    if (id == u"draft"_s)
-        design.draftDegrees = number;
-    else if (id == u"tilt"_s)
-        design.maxTiltDegrees = number;
-    else if (id == u"choice"_s)
-        design.directionsChoice = choiceAt(value.toInt());
-    else if (id == u"method"_s)
-        design.method = value.toInt() == 1 ? DeformationMethod::Paper : DeformationMethod::Default;
-    else if (id == u"wall"_s)
-        mold.wall = number;
-    else if (id == u"ceiling"_s)
-        mold.ceiling = number;
-    else if (id == u"floor"_s)
-        mold.floor = number;
-    if (!(design == project.design))
-        return Edit{Words::tr("Change the deformation's settings"), withDesignSettings(project, design)};
-    if (!(mold == project.mold))
-        return Edit{Words::tr("Change the block"), withMoldSettings(project, mold)};
-    return std::nullopt;
-}
-
 } // namespace
 
 PropertyPage propertyPage(const QString& selected, const Workbench& bench, const Actions& actions) {
-    if (selected == u"plane"_s || selected.startsWith(u"direction"_s))
+    if (selected == u"plane"_s)
         return planePage(bench, actions);
+    if (selected.startsWith(u"direction"_s) && bench.project().state)
+        return directionPage(selected.back().digitValue(), bench, actions);
     if (selected == u"deform"_s)
         return deformPage(bench, actions);
     if (selected == u"cast"_s)
@@ -346,43 +228,6 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
     if (selected == u"mold"_s || selected.startsWith(u"half"_s))
         return moldPage(bench, actions);
     return partPage(bench, actions);
-}
-
-void fillPage(PropertyPanel& panel, const Workbench& bench) {
-    const Project& project = bench.project();
-    if (!project.part)
-        return;
-    const Eigen::AlignedBox3d box = boundingBox(*project.part);
-    panel.setValue(u"size"_s, box.sizes().maxCoeff());
-    panel.setValue(u"x"_s, box.center().x());
-    panel.setValue(u"y"_s, box.center().y());
-    panel.setValue(u"z"_s, box.center().z());
-    panel.setValue(u"draft"_s, project.design.draftDegrees);
-    panel.setValue(u"tilt"_s, project.design.maxTiltDegrees);
-    panel.setValue(u"method"_s, project.design.method == DeformationMethod::Paper ? 1 : 0);
-    panel.setValue(u"choice"_s, project.design.directionsChoice == DirectionsChoice::Normal  ? 1
-                                : project.design.directionsChoice == DirectionsChoice::Given ? 2
-                                                                                             : 0);
-    if (const auto state = bench.shownState()) {
-        panel.setValue(u"offset"_s, state->plane.offset);
-        panel.setValue(u"tilt1"_s, measured(angleText(tiltDegrees(*state, 1)),
-                                            u"≤ "_s + angleText(project.design.maxTiltDegrees, 0)));
-        panel.setValue(u"tilt2"_s, measured(angleText(tiltDegrees(*state, 2)),
-                                            u"≤ "_s + angleText(project.design.maxTiltDegrees, 0)));
-    }
-    fillMeasures(panel, bench);
-    fillProof(panel, bench);
-    fillMold(panel, bench);
-}
-
-void applyProperty(Workbench& bench, const QString& id, const QVariant& value, bool preview) {
-    const auto edit = editFor(bench.document().committed(), id, value);
-    if (!edit)
-        bench.document().endPreview();
-    else if (preview)
-        bench.document().preview(edit->after);
-    else
-        bench.document().edit(edit->words, edit->after, u"property-"_s + id);
 }
 
 } // namespace moldwright

@@ -11,6 +11,7 @@
 #include "window/document.h"
 #include "window/frame_stream.h"
 #include "window/live_analysis.h"
+#include "window/run_control.h"
 
 #include <QObject>
 #include <QTimer>
@@ -57,6 +58,10 @@ public:
     [[nodiscard]] bool castIsProved() const;
 
     [[nodiscard]] bool running() const { return m_stream != nullptr; }
+    /// Whether a run holds still.
+    [[nodiscard]] bool resting() const { return running() && m_control->resting(); }
+    /// Whether a run is at the stage that finish() ends.
+    [[nodiscard]] bool bending() const { return m_frame && m_frame->frame.stage == "deformation"; }
     [[nodiscard]] const std::optional<ShownFrame>& frame() const { return m_frame; }
     [[nodiscard]] const std::vector<ProgressPoint>& progress() const { return m_progress; }
     [[nodiscard]] const std::vector<PlaneCandidate>& candidates() const { return m_candidates; }
@@ -91,6 +96,12 @@ public:
 
     // The cast and its mold
     void run();
+    /// Holds the run's shape where it is; goOn() bends it further.
+    void rest();
+    void goOn();
+    /// Bends no further: the run finishes the shape from where it is, and proves it.
+    void finish();
+    /// Ends the job that runs; the part stays as it was.
     void stop() { m_background.cancel(); }
     void restoreShape();
     void rename(const QString& name);
@@ -126,6 +137,7 @@ private:
     MessageModel m_messages;
     std::shared_ptr<const AnalysisAnswer> m_answer;
     std::shared_ptr<FrameStream> m_stream;
+    std::shared_ptr<RunControl> m_control;
     QTimer m_frameTimer;
     std::optional<ShownFrame> m_frame;
     std::vector<ProgressPoint> m_progress;

@@ -110,15 +110,35 @@ void Workbench::findBestDirections() {
 void Workbench::run() {
     const Project from = m_document.committed();
     m_stream = std::make_shared<FrameStream>();
+    m_control = std::make_shared<RunControl>();
     m_progress.clear();
     m_frame.reset();
     m_frameTimer.start();
-    m_background.start(tr("Deforming"), [=, this, stream = m_stream](const Task& task) -> Background::Finish {
-        const DesignRequest request = requestFor(from);
-        const Result<DesignResult> result = design(
-            request, task, [&](const DesignFrame& frame) { stream->put(frame, request.draftDegrees); });
-        return [=, this] { takeResult(result, from); };
-    });
+    const auto work = [=, this, stream = m_stream, control = m_control](const Task& task) {
+        DesignRequest request = requestFor(from);
+        request.finishNow = [control] { return control->takeFinish(); };
+        const Result<DesignResult> result = design(request, task, [&](const DesignFrame& frame) {
+            stream->put(frame, request.draftDegrees);
+            control->waitWhileResting(task);
+        });
+        return Background::Finish([=, this] { takeResult(result, from); });
+    };
+    m_background.start(tr("Deforming"), work);
+}
+
+void Workbench::rest() {
+    m_control->rest();
+    Q_EMIT changed();
+}
+
+void Workbench::goOn() {
+    m_control->goOn();
+    Q_EMIT changed();
+}
+
+void Workbench::finish() {
+    m_control->finish();
+    Q_EMIT changed();
 }
 
 void Workbench::pullFrames() {

@@ -69,6 +69,13 @@ Project withState(Project project, const MoldState& state, bool byHand) {
     return project;
 }
 
+Project withDirections(Project project, const Directions& directions) {
+    const MoldState state{project.state->plane, directions};
+    DesignSettings settings = project.design;
+    settings.directionsChoice = DirectionsChoice::Given;
+    return withDesignSettings(withState(std::move(project), state, true), settings);
+}
+
 Project withPlane(Project project, const PartingPlane& plane, bool byHand) {
     MoldState state{plane, Directions::normalTo(plane)};
     // Far enough from the plane for a direction to be of use; the tilt cap of a design is narrower.

@@ -22,6 +22,9 @@ namespace moldwright {
 /// Another mold state, chosen by hand (a drag) or found by the program.
 [[nodiscard]] Project withState(Project project, const MoldState& state, bool byHand);
 
+/// Directions chosen by hand: a run takes them as they are. Precondition: a state was chosen.
+[[nodiscard]] Project withDirections(Project project, const Directions& directions);
+
 /// Another plane. Directions stay where they still leave the plane, else they become normal to it.
 [[nodiscard]] Project withPlane(Project project, const PartingPlane& plane, bool byHand);
 

@@ -2,6 +2,6 @@
 set(MOLDWRIGHT_ICONS
     block.svg camera.svg candidates.svg cavity.svg check.svg close.svg deform.svg direction.svg edges.svg
     error.svg explode.svg export.svg eye-off.svg eye.svg finish.svg fit.svg float.svg info.svg keys.svg
-    lay-flat.svg mold.svg moldwright.svg move.svg ok.svg open.svg part.svg perspective.svg plane.svg play.svg
+    lay-flat.svg mold.svg moldwright.svg move.svg ok.svg open.svg part.svg pause.svg perspective.svg plane.svg play.svg
     print.svg proof.svg redo.svg report.svg restore.svg result.svg running.svg save.svg scale.svg search.svg
     see-through.svg select.svg stale.svg stop.svg todo.svg turn.svg undo.svg warn.svg)

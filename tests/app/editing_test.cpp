@@ -6,6 +6,7 @@
 #include "panels/command_search.h"
 #include "panels/workflow_bar.h"
 #include "project/project_file.h"
+#include "scene/direction_handle.h"
 #include "support/folders.h"
 #include "view/part_view.h"
 #include "window/document.h"
@@ -13,7 +14,6 @@
 
 #include <QApplication>
 #include <QMouseEvent>
-#include <QSpinBox>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Editing, DraggingTheGripMovesThePlaneInOneUndoStepAndTheRedFacesFollow) {
     PartView& view = driver.window().view();
     const MoldState before = *driver.bench().project().state;
     const double areaBefore = driver.bench().analysis()->analysis.violatingArea;
-    const QPoint grip = view.gripPixel(scene::PlaneGrip::Slide);
+    const QPoint grip = view.gripPixel(scene::Grip::SlidePlane);
     drag(view, grip, grip + QPoint(0, -60));
     ASSERT_TRUE(driver.waitIdle());
     EXPECT_GT(driver.bench().project().state->plane.offset, before.plane.offset + 1);
@@ -56,6 +56,57 @@ TEST(Editing, DraggingTheGripMovesThePlaneInOneUndoStepAndTheRedFacesFollow) {
     EXPECT_EQ(*driver.bench().project().state, before);
     driver.press("Ctrl+Shift+Z");
     EXPECT_NE(*driver.bench().project().state, before);
+}
+
+TEST(Editing, DraggingAnArrowTurnsItsDirectionInOneUndoStepAndARunTakesItAsItIs) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("rabbit"));
+    PartView& view = driver.window().view();
+    const Project before = driver.bench().document().committed();
+    const double areaBefore = driver.bench().analysis()->analysis.violatingArea;
+    const QPoint tip = view.gripPixel(scene::Grip::Direction1);
+    drag(view, tip, tip + QPoint(45, 5));
+    ASSERT_TRUE(driver.waitIdle());
+    const Project after = driver.bench().document().committed();
+    EXPECT_GT(scene::leanOf(*after.state, 1).tiltDegrees, 2);
+    EXPECT_EQ(after.state->directions.d2, before.state->directions.d2);
+    EXPECT_EQ(after.state->plane, before.state->plane);
+    EXPECT_EQ(after.design.directionsChoice, DirectionsChoice::Given);
+    EXPECT_NE(driver.bench().analysis()->analysis.violatingArea, areaBefore);
+    EXPECT_EQ(driver.bench().document().history().steps().size(), 1U);
+    driver.shot("15-direction");
+    driver.press("Ctrl+Z");
+    EXPECT_TRUE(sameProject(driver.bench().document().committed(), before));
+}
+
+TEST(Editing, EscapeGivesUpADragOfAnArrow) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    PartView& view = driver.window().view();
+    const MoldState before = *driver.bench().project().state;
+    const QPoint tip = view.gripPixel(scene::Grip::Direction1);
+    QTest::mousePress(&view, Qt::LeftButton, {}, tip);
+    const QPoint to = tip + QPoint(60, 0);
+    QMouseEvent move(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&view, &move);
+    EXPECT_NE(*driver.bench().project().state, before);
+    driver.press("Esc");
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+    EXPECT_EQ(*driver.bench().project().state, before);
+    EXPECT_TRUE(driver.bench().document().history().steps().empty());
+}
+
+TEST(Editing, ADirectionIsTypedAsTiltAndWay) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.selectRow("direction-2");
+    driver.type("field-lean2", "12.5");
+    driver.type("field-way2", "90");
+    const scene::Lean lean = scene::leanOf(*driver.bench().project().state, 2);
+    EXPECT_NEAR(lean.tiltDegrees, 12.5, 1e-9);
+    EXPECT_NEAR(lean.wayDegrees, 90, 1e-9);
+    EXPECT_EQ(driver.bench().project().design.directionsChoice, DirectionsChoice::Given);
+    driver.shot("16-direction-page");
 }
 
 TEST(Editing, TheLeftButtonNeverOrbitsAndTheMiddleButtonFollowsTheScheme) {
@@ -105,12 +156,7 @@ TEST(Editing, AWalkOfEditsUndosAndRedosComesBackToEqualProjects) {
 TEST(Editing, TypingALengthScalesThePart) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("praline"));
-    auto* field = driver.window().findChild<QDoubleSpinBox*>(QStringLiteral("field-size"));
-    ASSERT_TRUE(field);
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, QStringLiteral("2 in"));
-    QTest::keyClick(field, Qt::Key_Return);
+    driver.type("field-size", "2 in");
     EXPECT_NEAR(boundingBox(*driver.bench().project().part).sizes().maxCoeff(), 50.8, 0.01);
 }
 

@@ -10,6 +10,7 @@
 #include "panels/workflow_bar.h"
 #include "support/folders.h"
 #include "view/part_view.h"
+#include "window/document.h"
 #include "window/main_window.h"
 
 #include <QFile>
@@ -111,4 +112,46 @@ TEST(WholeJob, AFileWithoutASizeOfItsOwnToMold) {
     ASSERT_TRUE(driver.openMesh(QString::fromStdString((*models / "spot.obj").string()), 80));
     EXPECT_NEAR(boundingBox(*driver.bench().project().part).sizes().maxCoeff(), 80, 1e-9);
     wholeJob(driver);
+}
+
+TEST(WholeJob, ARunIsHeldAndFinishedFromWhereItIs) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("bent_beam"));
+    driver.press("Ctrl+B");
+    ASSERT_TRUE(driver.waitIdle());
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().progress().size() >= 3; }, 180000));
+    driver.press("Space");
+    ASSERT_TRUE(driver.bench().resting());
+    QTest::qWait(300); // a step under way ends
+    const std::size_t steps = driver.bench().progress().size();
+    const SharedMesh shape = driver.bench().shownMesh();
+    QTest::qWait(400);
+    EXPECT_EQ(driver.bench().progress().size(), steps);
+    EXPECT_EQ(driver.bench().shownMesh(), shape);
+    driver.shot("20-paused");
+
+    driver.press("Space");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().progress().size() > steps; }));
+    driver.press("Space");
+    driver.press("Ctrl+Shift+Return");
+    ASSERT_TRUE(driver.waitIdle());
+    ASSERT_TRUE(driver.bench().project().cast);
+    EXPECT_EQ(verdict(driver), QStringLiteral("Castable"));
+    EXPECT_LT(driver.bench().progress().size(), 120U) << "a whole run takes 160 steps and more";
+}
+
+TEST(WholeJob, AStoppedRunLeavesThePartAsItWas) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("bent_beam"));
+    driver.press("Ctrl+B");
+    ASSERT_TRUE(driver.waitIdle());
+    const Project before = driver.bench().document().committed();
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().frame().has_value(); }, 180000));
+    driver.press("Space");
+    driver.press("Ctrl+.");
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_TRUE(sameProject(driver.bench().document().committed(), before));
+    EXPECT_EQ(driver.bench().shownMesh(), before.part);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "app/window_driver.h"
 
+#include "panels/project_tree.h"
 #include "window/main_window.h"
 
 #include <QApplication>
@@ -51,6 +52,24 @@ void WindowDriver::click(const char* objectName) {
     auto* widget = window().findChild<QWidget*>(QString::fromLatin1(objectName));
     QVERIFY2(widget, objectName);
     QTest::mouseClick(widget, Qt::LeftButton);
+    QTest::qWait(30);
+}
+
+void WindowDriver::type(const char* field, const char* text) {
+    auto* box = window().findChild<QDoubleSpinBox*>(QString::fromLatin1(field));
+    QVERIFY2(box, field);
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, QString::fromUtf8(text));
+    QTest::keyClick(box, Qt::Key_Return);
+    QTest::qWait(30);
+}
+
+void WindowDriver::selectRow(const char* id) {
+    auto* tree = window().findChild<ProjectTree*>();
+    const QModelIndex row = static_cast<ProjectModel*>(tree->model())->indexOf(QString::fromLatin1(id));
+    QVERIFY2(row.isValid(), id);
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, tree->visualRect(row).center());
     QTest::qWait(30);
 }
 

@@ -33,6 +33,12 @@ public:
     /// Clicks the widget with this object name.
     void click(const char* objectName);
 
+    /// Types into the number field with this object name, and ends with Return.
+    void type(const char* field, const char* text);
+
+    /// Clicks the project tree's row with this id.
+    void selectRow(const char* id);
+
     /// Opens a bundled sample through its card on the start page.
     bool openSample(const char* baseName);
 

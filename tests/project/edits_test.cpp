@@ -62,6 +62,17 @@ TEST(Edits, AnotherPlaneKeepsDirectionsOnlyWhileTheyLeaveIt) {
     EXPECT_EQ(withPlane(project, turned, true).state->directions, Directions::normalTo(turned));
 }
 
+TEST(Edits, DirectionsChosenByHandAreTakenAsTheyAre) {
+    const Project project = someProject();
+    const Vector3d n = project.state->plane.normal;
+    const Directions turned{(n + Vector3d(0.1, 0.2, 0)).normalized(), -n};
+    const Project result = withDirections(project, turned);
+    EXPECT_EQ(result.state->directions, turned);
+    EXPECT_EQ(result.state->plane, project.state->plane);
+    EXPECT_EQ(result.design.directionsChoice, DirectionsChoice::Given);
+    EXPECT_EQ(result.cast, nullptr);
+}
+
 TEST(Edits, ANewPartKeepsOnlySettings) {
     const Project project = someProject();
     const auto cube = std::make_shared<const IndexedMesh>(box({0, 0, 0}, {1, 1, 1}));

@@ -22,7 +22,7 @@ struct Chip {
 };
 
 /// What is drawn flat over the scene: legend bottom left, state chip top left, chips at their places (which
-/// give way to each other), and the plane's grips.
+/// give way to each other), and the grips.
 class Overlay {
 public:
     Overlay();

@@ -49,40 +49,27 @@ PlaneRectangle planeRectangle(const PartingPlane& plane, const Points& points) {
     return rectangle;
 }
 
-Eigen::Vector3d gripPlace(const PlaneRectangle& rectangle, PlaneGrip grip) {
+Eigen::Vector3d gripPlace(const PlaneRectangle& rectangle, Grip grip) {
     switch (grip) {
-    case PlaneGrip::Slide:
+    case Grip::SlidePlane:
         return rectangle.at(1, 1);
-    case PlaneGrip::TiltAboutV:
+    case Grip::TiltAboutV:
         return rectangle.at(1, 0);
-    case PlaneGrip::TiltAboutU:
+    case Grip::TiltAboutU:
         return rectangle.at(0, 1);
+    default:
+        return rectangle.centre;
     }
-    return rectangle.centre;
-}
-
-std::optional<PlaneGrip> gripAt(const PlaneRectangle& rectangle, const Camera& camera, ViewSize view,
-                                double x, double y, double reach) {
-    std::optional<PlaneGrip> nearest;
-    for (const PlaneGrip grip : planeGrips) {
-        const Eigen::Vector3d pixel = camera.project(gripPlace(rectangle, grip), view);
-        const double away = std::hypot(pixel.x() - x, pixel.y() - y);
-        if (away <= reach) {
-            reach = away;
-            nearest = grip;
-        }
-    }
-    return nearest;
 }
 
 MoldState PlaneDrag::moved(const Camera& camera, ViewSize view, double toX, double toY, bool coarse) const {
     const double way = alongNormal(*this, camera, view, toX, toY);
     PartingPlane plane = start.plane;
-    if (grip == PlaneGrip::Slide) {
+    if (grip == Grip::SlidePlane) {
         plane.offset = rounded(plane.offset + way, 1, coarse);
         return withPlane(start, plane);
     }
-    const bool aboutV = grip == PlaneGrip::TiltAboutV;
+    const bool aboutV = grip == Grip::TiltAboutV;
     const double arm = aboutV ? rectangle.halfU : rectangle.halfV;
     const double angle = rounded(std::atan2(way, arm), radians(5), coarse);
     // A grip that rises along n turns n backwards, towards the middle.

@@ -4,11 +4,11 @@
 #include "castability/mold_state.h"
 #include "mesh/indexed_mesh.h"
 #include "scene/camera.h"
+#include "scene/grips.h"
 
 #include <Eigen/Geometry>
 
 #include <array>
-#include <optional>
 
 namespace moldwright::scene {
 
@@ -29,22 +29,16 @@ struct PlaneRectangle {
 /// The rectangle in `plane` that the shadow of these points along the normal fills, a little larger.
 [[nodiscard]] PlaneRectangle planeRectangle(const PartingPlane& plane, const Points& points);
 
-/// What can be taken hold of on the plane: its corner slides it along its normal, its edges tilt it.
-enum class PlaneGrip { Slide, TiltAboutV, TiltAboutU };
-inline constexpr std::array planeGrips = {PlaneGrip::Slide, PlaneGrip::TiltAboutV, PlaneGrip::TiltAboutU};
+inline constexpr std::array planeGrips = {Grip::SlidePlane, Grip::TiltAboutV, Grip::TiltAboutU};
 
-/// Where a grip sits, mm.
-[[nodiscard]] Eigen::Vector3d gripPlace(const PlaneRectangle& rectangle, PlaneGrip grip);
+/// Where a grip of the plane sits, mm.
+[[nodiscard]] Eigen::Vector3d gripPlace(const PlaneRectangle& rectangle, Grip grip);
 
-/// The grip within `reach` pixels of the pointer.
-[[nodiscard]] std::optional<PlaneGrip> gripAt(const PlaneRectangle& rectangle, const Camera& camera,
-                                              ViewSize view, double x, double y, double reach);
-
-/// A drag of a grip, from the state it started in. `coarse` rounds to whole millimetres and 5°.
+/// A drag of a grip of the plane, from the state it started in. `coarse` rounds to whole millimetres and 5°.
 struct PlaneDrag {
     MoldState start;
     PlaneRectangle rectangle;
-    PlaneGrip grip = PlaneGrip::Slide;
+    Grip grip = Grip::SlidePlane;
     double x = 0; ///< pixel where the drag began
     double y = 0;
 

@@ -116,7 +116,7 @@ void Scene::setDirectionsVisible(bool visible) {
     updateVisibility();
 }
 
-void Scene::setGrips(bool shown, std::optional<PlaneGrip> held) {
+void Scene::setGrips(bool shown, std::optional<Grip> held) {
     m_gripsShown = shown;
     m_heldGrip = held;
     updateVisibility();
@@ -170,15 +170,32 @@ void Scene::updateVisibility() {
     m_plane.partingLine()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);
     m_arrow1.actor()->SetVisibility(arrows);
     m_arrow2.actor()->SetVisibility(arrows);
-    std::vector<Eigen::Vector3d> grips;
+    showGrips();
+}
+
+std::vector<GripPlace> Scene::grips() const {
+    std::vector<GripPlace> grips;
+    if (!m_gripsShown || !m_state || m_surfaceBox.isEmpty())
+        return grips;
+    if (m_planeVisible)
+        for (const Grip grip : planeGrips)
+            grips.push_back({grip, gripPlace(rectangle(), grip)});
+    if (m_directionsVisible) {
+        grips.push_back({Grip::Direction1, arrowTip(1)});
+        grips.push_back({Grip::Direction2, arrowTip(2)});
+    }
+    return grips;
+}
+
+void Scene::showGrips() {
+    std::vector<Eigen::Vector3d> places;
     int held = -1;
-    if (plane && m_gripsShown)
-        for (const PlaneGrip grip : planeGrips) {
-            if (m_heldGrip == grip)
-                held = static_cast<int>(grips.size());
-            grips.push_back(gripPlace(rectangle(), grip));
-        }
-    m_overlay.setGrips(grips, held);
+    for (const GripPlace& grip : grips()) {
+        if (m_heldGrip == grip.grip)
+            held = static_cast<int>(places.size());
+        places.push_back(grip.place);
+    }
+    m_overlay.setGrips(places, held);
 }
 
 void Scene::setHalves(const SharedMesh& half1, const SharedMesh& half2, const Eigen::Isometry3d& moldToPart,

@@ -6,6 +6,7 @@
 #include "scene/arrow_layer.h"
 #include "scene/camera.h"
 #include "scene/colours.h"
+#include "scene/grips.h"
 #include "scene/half_layer.h"
 #include "scene/mesh_layer.h"
 #include "scene/orientation_cube.h"
@@ -50,7 +51,9 @@ public:
     void setState(const std::optional<MoldState>& state);
     void setPlaneVisible(bool visible);
     void setDirectionsVisible(bool visible);
-    void setGrips(bool shown, std::optional<PlaneGrip> held);
+    /// Grips of what is visible, to be taken hold of; `held` is the one under the pointer.
+    void setGrips(bool shown, std::optional<Grip> held);
+    [[nodiscard]] std::vector<GripPlace> grips() const;
 
     /// The mold's halves in the mold's frame; null meshes for none.
     void setHalves(const SharedMesh& half1, const SharedMesh& half2, const Eigen::Isometry3d& moldToPart,
@@ -73,6 +76,9 @@ public:
     [[nodiscard]] PlaneRectangle rectangle() const;
     [[nodiscard]] const OrientationCube& cube() const { return m_cube; }
 
+    /// The middle of the part, which arrows start from and turn about, mm.
+    [[nodiscard]] Eigen::Vector3d middle() const { return m_surfaceBox.center(); }
+
     /// Where the arrow of direction 1 or 2 ends, mm: the place for its chip.
     [[nodiscard]] Eigen::Vector3d arrowTip(int side) const;
 
@@ -80,6 +86,7 @@ private:
     void placePlane();
     void placeArrows();
     void updateVisibility();
+    void showGrips();
     [[nodiscard]] Eigen::Vector3d arrowTail(int side) const;
 
     vtkNew<vtkRenderer> m_renderer;
@@ -100,7 +107,7 @@ private:
     bool m_planeVisible = true;
     bool m_directionsVisible = true;
     bool m_gripsShown = false;
-    std::optional<PlaneGrip> m_heldGrip;
+    std::optional<Grip> m_heldGrip;
 };
 
 } // namespace moldwright::scene

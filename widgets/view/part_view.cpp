@@ -105,8 +105,8 @@ void PartView::lookFromOpposite() {
     lookFrom(-m_camera.backwards());
 }
 
-void PartView::setPlaneEditable(bool editable) {
-    m_planeEditable = editable;
+void PartView::setEditable(bool editable) {
+    m_editable = editable;
     m_scene.setGrips(editable, m_hovered);
     update();
 }
@@ -117,10 +117,10 @@ void PartView::setPickingFaces(bool picking) {
 }
 
 void PartView::updatePointer() {
-    setCursor(m_pickingFaces                 ? Qt::CrossCursor
-              : m_planeDrag                  ? Qt::ClosedHandCursor
-              : m_hovered && m_planeEditable ? Qt::OpenHandCursor
-                                             : Qt::ArrowCursor);
+    setCursor(m_pickingFaces            ? Qt::CrossCursor
+              : m_drag                  ? Qt::ClosedHandCursor
+              : m_hovered && m_editable ? Qt::OpenHandCursor
+                                        : Qt::ArrowCursor);
 }
 
 Eigen::Vector3d PartView::pivotAt(const Eigen::Vector2d& at) const {
@@ -131,17 +131,18 @@ Eigen::Vector3d PartView::pivotAt(const Eigen::Vector2d& at) const {
     return box.isEmpty() ? m_camera.focus : box.center().eval();
 }
 
-std::optional<scene::PlaneGrip> PartView::gripUnder(const Eigen::Vector2d& at) const {
-    if (!m_planeEditable || !m_scene.state())
-        return std::nullopt;
-    return scene::gripAt(m_scene.rectangle(), m_camera, viewSize(), at.x(), at.y(),
+std::optional<scene::Grip> PartView::gripUnder(const Eigen::Vector2d& at) const {
+    return scene::gripAt(m_scene.grips(), m_camera, viewSize(), at.x(), at.y(),
                          gripReach * devicePixelRatioF());
 }
 
-QPoint PartView::gripPixel(scene::PlaneGrip grip) const {
-    const Eigen::Vector3d at =
-        m_camera.project(scene::gripPlace(m_scene.rectangle(), grip), viewSize()) / devicePixelRatioF();
-    return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
+QPoint PartView::gripPixel(scene::Grip grip) const {
+    for (const scene::GripPlace& shown : m_scene.grips())
+        if (shown.grip == grip) {
+            const Eigen::Vector3d at = m_camera.project(shown.place, viewSize()) / devicePixelRatioF();
+            return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
+        }
+    return {-1, -1};
 }
 
 void PartView::mousePressEvent(QMouseEvent* event) {
@@ -166,9 +167,26 @@ void PartView::leftPressed(const Eigen::Vector2d& at) {
         return;
     }
     if (const auto grip = gripUnder(at)) {
-        m_planeDrag = scene::PlaneDrag{*m_scene.state(), m_scene.rectangle(), *grip, at.x(), at.y()};
+        takeHold(*grip, at);
         updatePointer();
     }
+}
+
+void PartView::takeHold(scene::Grip grip, const Eigen::Vector2d& at) {
+    m_hovered = grip;
+    if (grip == scene::Grip::Direction1 || grip == scene::Grip::Direction2) {
+        const int side = grip == scene::Grip::Direction1 ? 1 : 2;
+        m_drag = scene::DirectionDrag{
+            *m_scene.state(), side,  m_scene.middle(), m_scene.arrowTip(side), m_maxTiltDegrees,
+            at.x(),           at.y()};
+    } else {
+        m_drag = scene::PlaneDrag{*m_scene.state(), m_scene.rectangle(), grip, at.x(), at.y()};
+    }
+}
+
+MoldState PartView::dragged(const Eigen::Vector2d& to, bool coarse) const {
+    return std::visit(
+        [&](const auto& drag) { return drag.moved(m_camera, viewSize(), to.x(), to.y(), coarse); }, *m_drag);
 }
 
 void PartView::mouseMoveEvent(QMouseEvent* event) {
@@ -178,8 +196,8 @@ void PartView::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     m_dragged = m_dragged || (at - m_pressed).norm() > clickReach * devicePixelRatioF();
-    if (m_planeDrag)
-        dragPlane(at, event->modifiers().testFlag(Qt::ControlModifier));
+    if (m_drag && m_dragged)
+        Q_EMIT dragPreviewed(dragged(at, event->modifiers().testFlag(Qt::ControlModifier)), *m_hovered);
     else if (m_dragged)
         moveCamera(m_navigation->motionFor(heldNow(event->buttons(), event->modifiers())), m_last, at);
     m_last = at;
@@ -191,23 +209,18 @@ void PartView::hover(const Eigen::Vector2d& at) {
     if (grip == m_hovered)
         return;
     m_hovered = grip;
-    m_scene.setGrips(m_planeEditable, grip);
+    m_scene.setGrips(m_editable, grip);
     updatePointer();
     update();
 }
 
 void PartView::leaveEvent(QEvent* event) {
-    if (m_hovered && !m_planeDrag) {
+    if (m_hovered && !m_drag) {
         m_hovered.reset();
-        m_scene.setGrips(m_planeEditable, m_hovered);
+        m_scene.setGrips(m_editable, m_hovered);
         update();
     }
     RenderView::leaveEvent(event);
-}
-
-void PartView::dragPlane(const Eigen::Vector2d& to, bool coarse) {
-    if (m_dragged)
-        Q_EMIT planePreviewed(m_planeDrag->moved(m_camera, viewSize(), to.x(), to.y(), coarse));
 }
 
 void PartView::moveCamera(scene::Motion motion, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
@@ -230,13 +243,12 @@ void PartView::moveCamera(scene::Motion motion, const Eigen::Vector2d& from, con
 
 void PartView::mouseReleaseEvent(QMouseEvent* event) {
     const Eigen::Vector2d at = pixel(event->position());
-    if (event->button() == Qt::LeftButton && m_planeDrag) {
-        const scene::PlaneDrag drag = *m_planeDrag;
-        m_planeDrag.reset();
+    if (event->button() == Qt::LeftButton && m_drag) {
+        const MoldState state = dragged(at, event->modifiers().testFlag(Qt::ControlModifier));
+        m_drag.reset();
         updatePointer();
         if (m_dragged)
-            Q_EMIT planeCommitted(drag.moved(m_camera, viewSize(), at.x(), at.y(),
-                                             event->modifiers().testFlag(Qt::ControlModifier)));
+            Q_EMIT dragCommitted(state, *m_hovered);
     } else if (event->button() == Qt::LeftButton && !m_dragged && m_pickingFaces && m_picker) {
         if (const auto hit = m_picker->pick(m_camera.rayAt(at.x(), at.y(), viewSize())))
             Q_EMIT faceClicked(hit->face);
@@ -247,12 +259,12 @@ void PartView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 bool PartView::cancelDrag() {
-    if (!m_planeDrag)
+    if (!m_drag)
         return false;
-    m_planeDrag.reset();
+    m_drag.reset();
     m_dragged = true;
     updatePointer();
-    Q_EMIT planeDragCancelled();
+    Q_EMIT dragCancelled();
     return true;
 }
 

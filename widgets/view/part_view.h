@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "scene/direction_handle.h"
 #include "scene/navigation.h"
 #include "scene/scene.h"
 #include "scene/surface_picker.h"
@@ -11,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <variant>
 
 namespace moldwright {
 
@@ -28,8 +30,10 @@ public:
     void setNavigation(const scene::NavigationScheme& scheme) { m_navigation = &scheme; }
     void setPicker(std::shared_ptr<const scene::SurfacePicker> picker) { m_picker = std::move(picker); }
 
-    /// Whether the plane's grips are shown and can be dragged.
-    void setPlaneEditable(bool editable);
+    /// Whether grips of plane and directions are shown and can be dragged.
+    void setEditable(bool editable);
+    /// How far a direction may be dragged from the plane's normal.
+    void setTiltLimit(double degrees) { m_maxTiltDegrees = degrees; }
 
     /// While on, a click on the surface is told by faceClicked(), under a crossing pointer.
     void setPickingFaces(bool picking);
@@ -46,16 +50,17 @@ public:
     void lookFromOpposite();
     void frame(const Eigen::AlignedBox3d& box);
 
-    /// Gives up a drag of the plane; returns whether there was one.
+    /// Gives up a drag of a grip; returns whether there was one.
     bool cancelDrag();
 
-    /// A pixel of this widget where the plane's grip is, for tests and tours.
-    [[nodiscard]] QPoint gripPixel(scene::PlaneGrip grip) const;
+    /// A pixel of this widget where a grip is, for tests and tours; outside when it is not shown.
+    [[nodiscard]] QPoint gripPixel(scene::Grip grip) const;
 
 Q_SIGNALS:
-    void planePreviewed(const moldwright::MoldState& state);
-    void planeCommitted(const moldwright::MoldState& state);
-    void planeDragCancelled();
+    /// A grip of the plane or a direction is dragged; committed once, when it is let go.
+    void dragPreviewed(const moldwright::MoldState& state, moldwright::scene::Grip grip);
+    void dragCommitted(const moldwright::MoldState& state, moldwright::scene::Grip grip);
+    void dragCancelled();
     void faceClicked(int face);
     void menuRequested(const QPoint& globalPlace);
 
@@ -71,10 +76,11 @@ private:
     [[nodiscard]] scene::ViewSize viewSize() const;
     [[nodiscard]] Eigen::Vector2d pixel(const QPointF& place) const;
     [[nodiscard]] Eigen::Vector3d pivotAt(const Eigen::Vector2d& pixel) const;
-    [[nodiscard]] std::optional<scene::PlaneGrip> gripUnder(const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] std::optional<scene::Grip> gripUnder(const Eigen::Vector2d& pixel) const;
     void leftPressed(const Eigen::Vector2d& at);
     void moveCamera(scene::Motion motion, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-    void dragPlane(const Eigen::Vector2d& to, bool coarse);
+    void takeHold(scene::Grip grip, const Eigen::Vector2d& at);
+    [[nodiscard]] MoldState dragged(const Eigen::Vector2d& to, bool coarse) const;
     void hover(const Eigen::Vector2d& at);
     void easeTo(const scene::Camera& target);
     void setCamera(const scene::Camera& camera);
@@ -87,10 +93,11 @@ private:
     QVariantAnimation m_ease;
     scene::Camera m_easeFrom;
     scene::Camera m_easeTo;
-    bool m_planeEditable = false;
+    bool m_editable = false;
+    double m_maxTiltDegrees = 30;
     bool m_pickingFaces = false;
-    std::optional<scene::PlaneDrag> m_planeDrag;
-    std::optional<scene::PlaneGrip> m_hovered;
+    std::optional<std::variant<scene::PlaneDrag, scene::DirectionDrag>> m_drag;
+    std::optional<scene::Grip> m_hovered; ///< the grip under the pointer, or held
     Eigen::Vector2d m_pressed = Eigen::Vector2d::Zero();
     Eigen::Vector2d m_last = Eigen::Vector2d::Zero();
     Eigen::Vector3d m_pivot = Eigen::Vector3d::Zero();

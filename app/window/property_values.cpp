@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What the rows of the property pages show, and what typing into them does.
+#include "mesh/measures.h"
+#include "project/edits.h"
+#include "project/placing.h"
+#include "scene/direction_handle.h"
+#include "scene/plane_handle.h"
+#include "window/presentation.h"
+#include "window/property_pages.h"
+#include "window/workbench.h"
+
+#include <QCoreApplication>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(PropertyPages)
+};
+
+QString componentText(double value) {
+    return QString::number(value, 'f', 4).replace(u'-', QChar(0x2212));
+}
+
+QStringList measured(const QString& value, const QString& goal = {}) {
+    return {value, goal};
+}
+
+void fillMeasures(PropertyPanel& panel, const Workbench& bench) {
+    const Project& project = bench.project();
+    const SharedMesh mesh = bench.shownMesh();
+    const DraftAnalysis* analysis = bench.shownAnalysis();
+    const double required = project.design.draftDegrees;
+    if (analysis) {
+        panel.setValue(u"worst"_s,
+                       measured(draftText(analysis->worstDraftDegrees), u"≥ "_s + angleText(required)));
+        panel.setMissesGoal(u"worst"_s, analysis->violatingArea > 0);
+        panel.setValue(u"below"_s,
+                       measured(u"%1 cm²"_s.arg(analysis->violatingArea / 100, 0, 'f', 1), u"0"_s));
+        panel.setMissesGoal(u"below"_s, analysis->violatingArea > 0);
+        panel.setValue(u"energy"_s, measured(QString::number(analysis->energy, 'g', 3), u"0"_s));
+    }
+    const double partVolume = volume(*project.part);
+    const bool partPageShown = panel.pageId() == u"part"_s;
+    panel.setValue(u"volume"_s, measured(partPageShown ? u"%1 cm³"_s.arg(partVolume / 1000, 0, 'f', 1)
+                                                       : percentText(volume(*mesh) / partVolume)));
+    const Eigen::Vector3d size = boundingBox(*project.part).sizes();
+    panel.setValue(
+        u"extent"_s,
+        measured(
+            u"%1 × %2 × %3"_s.arg(size.x(), 0, 'f', 1).arg(size.y(), 0, 'f', 1).arg(size.z(), 0, 'f', 1)));
+    panel.setValue(u"area"_s, measured(u"%1 cm²"_s.arg(surfaceArea(*project.part) / 100, 0, 'f', 1)));
+    panel.setValue(u"faces"_s, measured(QString::number(project.part->faceCount())));
+    const bool cast = bench.castShown();
+    panel.setValue(
+        u"distance"_s,
+        measured(cast ? u"%1 %"_s.arg(100 * project.cast->change.meanDistance, 0, 'f', 2) : u"–"_s));
+    double shortest = 2;
+    for (const LimbMeasure& limb : cast ? project.cast->limbs : std::vector<LimbMeasure>())
+        shortest = std::min(shortest, limb.lengthRatio);
+    panel.setValue(u"limb"_s, measured(shortest < 2 ? percentText(shortest) : Words::tr("no limbs"),
+                                       shortest < 2 ? u"≥ 85 %"_s : QString()));
+}
+
+void fillState(PropertyPanel& panel, const Workbench& bench) {
+    const auto state = bench.shownState();
+    if (!state)
+        return;
+    panel.setValue(u"offset"_s, state->plane.offset);
+    const QString limit = u"≤ "_s + angleText(bench.project().design.maxTiltDegrees, 0);
+    for (const int side : {1, 2}) {
+        const scene::Lean lean = scene::leanOf(*state, side);
+        const Eigen::Vector3d& d = state->directions.of(side);
+        panel.setValue(u"tilt%1"_s.arg(side), measured(angleText(lean.tiltDegrees), limit));
+        panel.setValue(u"lean%1"_s.arg(side), lean.tiltDegrees);
+        panel.setValue(u"way%1"_s.arg(side), lean.wayDegrees);
+        panel.setValue(
+            u"components%1"_s.arg(side),
+            measured(u"%1  %2  %3"_s.arg(componentText(d.x()), componentText(d.y()), componentText(d.z()))));
+    }
+}
+
+void fillProof(PropertyPanel& panel, const Workbench& bench) {
+    if (panel.pageId() != u"cast"_s)
+        return;
+    const bool known = bench.castShown() && bench.analysisIsCurrent() && bench.analysis()->certificate;
+    const QString unknown = u"–"_s;
+    if (!known) {
+        for (const QString& id : {u"crossing"_s, u"curve"_s, u"proof"_s})
+            panel.setValue(id, measured(unknown));
+        return;
+    }
+    const Certificate& proof = *bench.analysis()->certificate;
+    panel.setValue(u"worst"_s, measured(draftText(proof.worstDraftDegrees),
+                                        u"≥ "_s + angleText(bench.project().design.draftDegrees)));
+    panel.setValue(
+        u"crossing"_s,
+        measured(proof.selfIntersectionFree ? Words::tr("none") : Words::tr("found"), Words::tr("none")));
+    panel.setMissesGoal(u"crossing"_s, !proof.selfIntersectionFree);
+    panel.setValue(u"curve"_s,
+                   measured(proof.curvesSimpleAndNested && proof.curvesOnPlane ? Words::tr("simple")
+                                                                               : Words::tr("crosses itself"),
+                            Words::tr("simple")));
+    panel.setMissesGoal(u"curve"_s, !(proof.curvesSimpleAndNested && proof.curvesOnPlane));
+    panel.setValue(u"proof"_s, measured(proof.holds() ? Words::tr("yes") : Words::tr("no")));
+    panel.setMissesGoal(u"proof"_s, !proof.holds());
+}
+
+void fillMold(PropertyPanel& panel, const Workbench& bench) {
+    if (panel.pageId() != u"mold"_s)
+        return;
+    const MoldSettings& settings = bench.project().mold;
+    panel.setValue(u"wall"_s, settings.wall);
+    panel.setValue(u"ceiling"_s, settings.ceiling);
+    panel.setValue(u"floor"_s, settings.floor);
+    if (!bench.mold())
+        return;
+    const Mold& mold = *bench.mold();
+    const auto size = [](const Eigen::Vector3d& s) {
+        return u"%1 × %2 × %3"_s.arg(s.x(), 0, 'f', 1).arg(s.y(), 0, 'f', 1).arg(s.z(), 0, 'f', 1);
+    };
+    panel.setValue(u"half1"_s, measured(size(mold.half1.size)));
+    panel.setValue(u"half2"_s, measured(size(mold.half2.size)));
+    panel.setValue(u"cavity"_s, measured(u"%1 cm³"_s.arg(mold.cavityVolume / 1000, 0, 'f', 1)));
+    panel.setValue(u"halves"_s,
+                   measured(u"%1 cm³"_s.arg((mold.half1.volume + mold.half2.volume) / 1000, 0, 'f', 0)));
+    panel.setValue(u"steel"_s, measured(u"%1 mm"_s.arg(mold.minWall, 0, 'f', 2)));
+    panel.setValue(u"proof"_s, measured(!bench.moldIsCurrent() ? Words::tr("out of date")
+                                        : mold.verified()      ? Words::tr("proved")
+                                                               : Words::tr("no")));
+    panel.setMissesGoal(u"proof"_s, !mold.verified());
+}
+
+Placement scaledTo(const Project& project, double longest) {
+    const double now = boundingBox(*project.part).sizes().maxCoeff();
+    Placement placement = project.placement;
+    placement.scale *= longest / now;
+    return placement;
+}
+
+Placement placedAt(const Project& project, int axis, double middle) {
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();
+    way[axis] = middle - boundingBox(*project.part).center()[axis];
+    return moved(project.placement, Eigen::Isometry3d(Eigen::Translation3d(way)));
+}
+
+DirectionsChoice choiceAt(int index) {
+    return index == 1   ? DirectionsChoice::Normal
+           : index == 2 ? DirectionsChoice::Given
+                        : DirectionsChoice::Automatic;
+}
+
+struct Edit {
+    QString words;
+    Project after;
+};
+
+Edit directionEdit(const Project& project, const QString& id, double degrees) {
+    const int side = id.back().digitValue();
+    scene::Lean lean = scene::leanOf(*project.state, side);
+    (id.startsWith(u"lean"_s) ? lean.tiltDegrees : lean.wayDegrees) = degrees;
+    const MoldState turned =
+        scene::withDirection(*project.state, side, scene::leaning(project.state->plane, side, lean));
+    return {Words::tr("Turn direction %1").arg(side), withDirections(project, turned.directions)};
+}
+
+std::optional<Edit> editFor(const Project& project, const QString& id, const QVariant& value) {
+    const double number = value.toDouble();
+    DesignSettings design = project.design;
+    MoldSettings mold = project.mold;
+    if (id == u"size"_s)
+        return Edit{Words::tr("Scale the part"), withPlacement(project, scaledTo(project, number))};
+    for (int axis = 0; axis < 3; ++axis)
+        if (id == QString(QChar(u'x' + axis)))
+            return Edit{Words::tr("Move the part"), withPlacement(project, placedAt(project, axis, number))};
+    if (id == u"offset"_s && project.state) {
+        PartingPlane plane = project.state->plane;
+        plane.offset = number;
+        return Edit{Words::tr("Move the plane"),
+                    withState(project, scene::withPlane(*project.state, plane), true)};
+    }
+    if (project.state && (id.startsWith(u"lean"_s) || id.startsWith(u"way"_s)))
+        return directionEdit(project, id, number);
+    if (id == u"draft"_s)
+        design.draftDegrees = number;
+    else if (id == u"tilt"_s)
+        design.maxTiltDegrees = number;
+    else if (id == u"choice"_s)
+        design.directionsChoice = choiceAt(value.toInt());
+    else if (id == u"method"_s)
+        design.method = value.toInt() == 1 ? DeformationMethod::Paper : DeformationMethod::Default;
+    else if (id == u"wall"_s)
+        mold.wall = number;
+    else if (id == u"ceiling"_s)
+        mold.ceiling = number;
+    else if (id == u"floor"_s)
+        mold.floor = number;
+    if (!(design == project.design))
+        return Edit{Words::tr("Change the deformation's settings"), withDesignSettings(project, design)};
+    if (!(mold == project.mold))
+        return Edit{Words::tr("Change the block"), withMoldSettings(project, mold)};
+    return std::nullopt;
+}
+
+} // namespace
+
+void fillPage(PropertyPanel& panel, const Workbench& bench) {
+    const Project& project = bench.project();
+    if (!project.part)
+        return;
+    const Eigen::AlignedBox3d box = boundingBox(*project.part);
+    panel.setValue(u"size"_s, box.sizes().maxCoeff());
+    panel.setValue(u"x"_s, box.center().x());
+    panel.setValue(u"y"_s, box.center().y());
+    panel.setValue(u"z"_s, box.center().z());
+    panel.setValue(u"draft"_s, project.design.draftDegrees);
+    panel.setValue(u"tilt"_s, project.design.maxTiltDegrees);
+    panel.setValue(u"method"_s, project.design.method == DeformationMethod::Paper ? 1 : 0);
+    panel.setValue(u"choice"_s, project.design.directionsChoice == DirectionsChoice::Normal  ? 1
+                                : project.design.directionsChoice == DirectionsChoice::Given ? 2
+                                                                                             : 0);
+    fillState(panel, bench);
+    fillMeasures(panel, bench);
+    fillProof(panel, bench);
+    fillMold(panel, bench);
+}
+
+void applyProperty(Workbench& bench, const QString& id, const QVariant& value, bool preview) {
+    const auto edit = editFor(bench.document().committed(), id, value);
+    if (!edit)
+        bench.document().endPreview();
+    else if (preview)
+        bench.document().preview(edit->after);
+    else
+        bench.document().edit(edit->words, edit->after, u"property-"_s + id);
+}
+
+} // namespace moldwright
