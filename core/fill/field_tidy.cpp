@@ -77,26 +77,50 @@ private:
         std::stable_sort(ways.begin(), ways.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [length, h] : ways)
-            if (allowed(h)) {
-                m_field.collapse(h);
+            if (keepsOutline(h) && keepsRound(h) && m_field.collapsible(h) &&
+                (collapseAlong(h) || collapseAcross(h)))
                 return true;
-            }
         return false;
     }
 
-    [[nodiscard]] bool allowed(Halfedge h) {
-        return keepsWalls(h) && (isShort(h) || isFlat(h)) && keepsRound(h) && m_field.collapsible(h);
+    /// Where all heights at the point that goes go on to the other end: along a wall, or on one surface.
+    bool collapseAlong(Halfedge h) {
+        if (!keepsWalls(h) || (!isShort(h) && !isFlat(h)))
+            return false;
+        const double left = heightsFrom(h)[0];
+        const auto to = heightsTo(h);
+        m_field.collapse(h, [&](double height) { return height == left ? to[0] : to[1]; });
+        return true;
     }
 
-    /// Heights at the point that goes must have somewhere to go, and outlines may shorten only along
-    /// themselves.
+    /// Where points are so near that only their heights tell them apart: each height becomes the nearest
+    /// there, or stays as one more.
+    bool collapseAcross(Halfedge h) {
+        const Vertex kept = mesh().to_vertex_handle(h);
+        if ((m_field.point(kept) - m_field.point(mesh().from_vertex_handle(h))).norm() > m_goal.flat)
+            return false;
+        std::vector<double> levels;
+        for (const auto in : mesh().vih_range(kept))
+            levels.push_back(m_field.height(in));
+        m_field.collapse(h, [&](double height) {
+            const double nearest = *std::min_element(levels.begin(), levels.end(), [&](double a, double b) {
+                return std::abs(a - height) < std::abs(b - height);
+            });
+            return std::abs(nearest - height) < m_goal.shortEdge ? nearest : height;
+        });
+        return true;
+    }
+
+    /// An outline may shorten only along itself.
+    [[nodiscard]] bool keepsOutline(Halfedge h) const {
+        const auto edges = mesh().ve_range(mesh().from_vertex_handle(h));
+        return m_field.outline(mesh().edge_handle(h)) ||
+               std::none_of(edges.begin(), edges.end(), [&](auto e) { return m_field.outline(e); });
+    }
+
+    /// Whether every height at the point that goes has one at the other end that goes on from it.
     [[nodiscard]] bool keepsWalls(Halfedge h) const {
         const Vertex gone = mesh().from_vertex_handle(h);
-        const auto edges = mesh().ve_range(gone);
-        const bool onOutline =
-            std::any_of(edges.begin(), edges.end(), [&](auto e) { return m_field.outline(e); });
-        if (onOutline && !m_field.outline(mesh().edge_handle(h)))
-            return false;
         const auto [left, right] = heightsFrom(h);
         const auto [leftTo, rightTo] = heightsTo(h);
         if (left == right && leftTo != rightTo)

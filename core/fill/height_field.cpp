@@ -121,14 +121,11 @@ bool HeightField::wall(Edge e) const {
            height(right) != height(m_mesh.prev_halfedge_handle(left)) || outline(e);
 }
 
-void HeightField::collapse(Halfedge h) {
+void HeightField::collapse(Halfedge h, const std::function<double(double)>& heightThere) {
     const Vertex gone = m_mesh.from_vertex_handle(h);
     const Halfedge back = m_mesh.opposite_halfedge_handle(h);
-    const double left = height(m_mesh.prev_halfedge_handle(h));
-    const double leftTo = height(h);
-    const double rightTo = height(m_mesh.prev_halfedge_handle(back));
     for (const auto in : m_mesh.vih_range(gone))
-        setHeight(in, height(in) == left ? leftTo : rightTo);
+        setHeight(in, heightThere(height(in)));
     // Collapsing a side away keeps the halfedge of its neighbour or its own: both lead to the same corner,
     // but in different triangles. What the neighbours hold is put back.
     std::vector<std::pair<Face, std::array<std::pair<Vertex, double>, 3>>> kept;

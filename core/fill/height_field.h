@@ -3,6 +3,7 @@
 
 #include "mesh/triangle_mesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace moldwright {
@@ -64,9 +65,9 @@ public:
 
     [[nodiscard]] bool collapsible(Halfedge h) { return m_mesh.is_collapse_ok(h); }
 
-    /// Takes the halfedge's first point to its last; heights there become those of its last point on the same
-    /// side of the edge. Precondition: collapsible.
-    void collapse(Halfedge h);
+    /// Takes the halfedge's first point to its last; `heightThere` says which height there a height here
+    /// becomes. Precondition: collapsible.
+    void collapse(Halfedge h, const std::function<double(double)>& heightThere);
 
     /// Turns an edge to join the far corners of its triangles. The new triangles take the heights that the
     /// old ones have, of `keep` where they differ, and its plane's where it has none.

@@ -16,6 +16,8 @@ namespace {
 using Vertex = HeightField::Vertex;
 using Place = std::pair<double, double>;
 
+constexpr int kRounds = 6;
+
 Place placeOf(const HeightField& field, Vertex v) {
     return {field.point(v).x(), field.point(v).y()};
 }
@@ -78,13 +80,13 @@ public:
         : m_own(halves[half]), m_other(halves[1 - half]), m_near(near),
           m_ownPoints(outlinePoints(halves, half)), m_otherPoints(outlinePoints(halves, 1 - half)) {}
 
-    void settle(const Touch& touch) {
+    bool settle(const Touch& touch) {
         if (m_otherPoints.contains(placeOf(m_own, touch.point)))
-            return;
+            return false;
         for (const Vertex end : {touch.edge.from, touch.edge.to})
             if ((m_other.point(end) - m_own.point(touch.point)).norm() <= m_near && join(touch.point, end))
-                return;
-        putOn(touch.point, touch.edge);
+                return true;
+        return putOn(touch.point, touch.edge);
     }
 
 private:
@@ -110,19 +112,20 @@ private:
         return true;
     }
 
-    void putOn(Vertex v, const OutlineEdge& edge) {
+    bool putOn(Vertex v, const OutlineEdge& edge) {
         const auto h = m_other.mesh().find_halfedge(edge.from, edge.to);
         if (!h.is_valid())
-            return;
+            return false;
         const Eigen::Vector2d p = m_own.point(v);
         const Eigen::Vector2d a = m_other.point(edge.from);
         const Eigen::Vector2d along = m_other.point(edge.to) - a;
         const double t = (p - a).dot(along) / along.squaredNorm();
         const double off = std::abs(doubleArea(a, m_other.point(edge.to), p)) / along.norm();
         if (!(t > 0 && t < 1) || off > m_near || !m_other.splitKeepsOrder(m_other.mesh().edge_handle(h), p))
-            return;
+            return false;
         const Vertex fresh = m_other.split(m_other.mesh().edge_handle(h), p);
         m_otherPoints.emplace(Place{p.x(), p.y()}, fresh);
+        return true;
     }
 
     HeightField& m_own;
@@ -148,10 +151,16 @@ std::vector<OutlineEdge> outlinesOf(const std::array<HeightField, 2>& halves) {
 }
 
 void matchOutlines(std::array<HeightField, 2>& halves, double near) {
-    for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
-        Matching matching(halves, half, near);
-        for (const Touch& touch : findTouches(halves, half, near))
-            matching.settle(touch);
+    // What one match changes another may have waited for: an edge split in two, a point moved.
+    for (int round = 0; round < kRounds; ++round) {
+        bool changed = false;
+        for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
+            Matching matching(halves, half, near);
+            for (const Touch& touch : findTouches(halves, half, near))
+                changed = matching.settle(touch) || changed;
+        }
+        if (!changed)
+            return;
     }
 }
 
