@@ -11,7 +11,7 @@ namespace moldwright {
 namespace {
 
 constexpr int kRounds = 30;
-constexpr double kLow = 0.1;   ///< of the lowest height about: how far a touching top is lifted
+constexpr double kLow = 0.1;   ///< of the greatest height about: how far a touching top is lifted
 constexpr double kReach = 0.3; ///< of the shortest edge: how far a closed gap reaches
 
 using Vertex = HeightField::Vertex;
@@ -44,12 +44,11 @@ bool uncrossWalls(HeightField& field) {
 
 /// A height above the plane, small beside what is about the triangles.
 double lowLevel(const HeightField& field, const std::vector<Face>& faces) {
-    double lowest = std::numeric_limits<double>::infinity();
+    double highest = 0;
     for (const Face f : faces)
         for (const auto h : field.mesh().fh_range(f))
-            if (field.height(h) > 0)
-                lowest = std::min(lowest, field.height(h));
-    return kLow * lowest;
+            highest = std::max(highest, field.height(h));
+    return kLow * highest;
 }
 
 bool liftTouchingEdges(HeightField& field) {

@@ -40,6 +40,7 @@ struct Touch {
     OutlineEdge edge;
 };
 
+/// Nearest first.
 std::vector<Touch> findTouches(const std::array<HeightField, 2>& halves, std::size_t half, double near) {
     const std::map<Place, Vertex> points = outlinePoints(halves, half);
     std::vector<OutlineEdge> edges = outlinesOf(halves);
