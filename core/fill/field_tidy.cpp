@@ -18,7 +18,8 @@ using Face = HeightField::Face;
 using Origin = HeightField::Origin;
 
 constexpr int kRounds = 6;
-constexpr double kThin = 0.3;    ///< of the short edge: a triangle is thin below this altitude
+constexpr double kThin = 0.3;           ///< of the short edge: a triangle is thin below this altitude
+constexpr double kNextToNothing = 0.01; ///< of `flat`
 constexpr double kRounder = 1.5; ///< a turned edge must make the thinner triangle rounder by this factor
 
 double altitude(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -234,8 +235,6 @@ private:
         const Vertex c = mesh().to_vertex_handle(mesh().next_halfedge_handle(longest));
         const Vertex d =
             mesh().to_vertex_handle(mesh().next_halfedge_handle(mesh().opposite_halfedge_handle(longest)));
-        if (!m_field.solid(f) && !m_field.solid(mesh().face_handle(mesh().opposite_halfedge_handle(longest))))
-            return false;
         if (!touched(a) && !touched(b) && !touched(c) && !touched(d))
             return false;
         const Face other = mesh().face_handle(mesh().opposite_halfedge_handle(longest));
@@ -253,12 +252,12 @@ private:
         return true;
     }
 
-    /// A wall may move across a triangle that is thin enough, but not off the parting line.
+    /// A wall may move across a triangle that is thin enough; off the parting line only by next to nothing.
     [[nodiscard]] bool wallMayMove(Edge e, Face thinOne) const {
         const Halfedge h = mesh().halfedge_handle(e, 0);
         const bool fixed = m_field.origin(mesh().from_vertex_handle(h)) == Origin::Fixed &&
                            m_field.origin(mesh().to_vertex_handle(h)) == Origin::Fixed;
-        return !fixed && altitudeOf(thinOne) <= m_goal.flat;
+        return altitudeOf(thinOne) <= (fixed ? kNextToNothing : 1) * m_goal.flat;
     }
 
     /// Heights that the plane of a neighbour gave v in the triangles at a turned edge become those of a

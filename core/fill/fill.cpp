@@ -21,13 +21,15 @@ namespace {
 /// How boldly details that filling makes are simplified: lengths in mean edges of the part.
 struct Boldness {
     double tidying;  ///< see TidyGoal
-    double flatness; ///< see TidyGoal; outlines nearer to each other are brought together
+    double flatness; ///< see TidyGoal
+    double matching; ///< see matchOutlines()
     double step;     ///< heights at a point that differ by less become one, in grid steps
 };
 
-/// Round triangles first, caution where something then crosses.
-constexpr std::array kRungs = {Boldness{0.1, 0.01, 16}, Boldness{0.01, 0.001, 16}, Boldness{0, 0, 16},
-                               Boldness{0, 0, 1024}};
+/// Round triangles first, caution where something then touches.
+constexpr std::array kRungs = {Boldness{0.1, 0.01, 0.01, 16}, Boldness{0.1, 0.01, 1e-4, 16},
+                               Boldness{0.1, 0.01, 0, 16},    Boldness{0.01, 0.001, 1e-4, 16},
+                               Boldness{0, 0, 0, 16},         Boldness{0, 0, 0, 1024}};
 
 double meanEdge(const IndexedMesh& mesh) {
     double sum = 0;
@@ -49,8 +51,8 @@ PartedMesh filled(const PartedMesh& part, const ShadowGrid& grid, const Boldness
         }
     });
     std::array<HeightField, 2> halves = {std::move(*made[0]), std::move(*made[1])};
-    if (boldness.flatness > 0)
-        matchOutlines(halves, boldness.flatness * edge);
+    if (boldness.matching > 0)
+        matchOutlines(halves, boldness.matching * edge);
     return joinHalves(halves, grid);
 }
 
