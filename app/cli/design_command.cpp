@@ -55,15 +55,21 @@ Placement placementFor(const DesignOptions& options, const IndexedMesh& source) 
     return placement;
 }
 
-std::vector<Message> sizeWarnings(const IndexedMesh& part) {
+std::vector<Message> warningsFor(const IndexedMesh& part, const DesignResult& result) {
+    std::vector<Message> warnings;
     const double size = boundingBox(part).sizes().maxCoeff();
-    if (size >= kSmallPart && size <= kLargePart)
-        return {};
-    return {
-        {MW_TEXT("cli",
+    if (size < kSmallPart || size > kLargePart)
+        warnings.push_back(
+            {MW_TEXT(
+                 "cli",
                  "The part is {0} mm long: the defaults for walls and draft hardly suit it. Give --units, "
                  "--scale or --size if this is not its size."),
-         {readable(size)}}};
+             {readable(size)}});
+    if (result.cutShort)
+        warnings.push_back({MW_TEXT("cli", "The design was stopped before its end. What it had reached was "
+                                           "written; it is not finished."),
+                            {}});
+    return warnings;
 }
 
 Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, const Session& session) {
@@ -85,6 +91,8 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
     request.draftDegrees = options.state.draft;
     request.maxTiltDegrees = options.maxTilt;
     request.method = options.method == "paper" ? DeformationMethod::Paper : DeformationMethod::Default;
+    request.fill = options.fill == "auto" ? FillChoice::Auto : FillChoice::None;
+    request.keepUnfinished = true;
     request.seed = session.seed();
     return request;
 }
@@ -150,13 +158,15 @@ Result<void> writeAll(const DesignOptions& options, const DesignRequest& request
         return done;
     if (auto done = saveProject(folder / "project.moldwright", project); !done)
         return done;
-    if (options.report)
+    if (options.report && !result.cutShort)
         if (auto done = writeReportOf(folder, session); !done)
             return done;
     return session.writeJson(designJson(name, request, result));
 }
 
 ExitCode answerOf(const DesignResult& result) {
+    if (result.cutShort)
+        return ExitCode::Stopped;
     if (result.castable)
         return ExitCode::Yes;
     return result.obstructions.empty() ? ExitCode::No : ExitCode::Impossible;
@@ -179,8 +189,8 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
     Result<DesignResult> result = design(*request, session.task().part(0.05, options.mold ? 0.85 : 1));
     if (!result)
         return std::unexpected(result.error());
-    result->warnings = sizeWarnings(*part);
-    if (options.mold && result->castable)
+    result->warnings = warningsFor(*part, *result);
+    if (options.mold && result->castable && !result->cutShort)
         if (const Result<void> done = writeMoldOf(options, *request, *result, session.task().part(0.85, 1));
             !done)
             return std::unexpected(done.error());
@@ -207,7 +217,7 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
         ->check(CLI::IsMember({"default", "paper"}))
         ->capture_default_str();
     app.add_option("--pins", o.pins, "none")->check(CLI::IsMember({"none"}))->capture_default_str();
-    app.add_option("--fill", o.fill, "auto or none; filling is not offered yet, both bend only")
+    app.add_option("--fill", o.fill, "auto: what no bending frees is filled; none: it is named")
         ->check(CLI::IsMember({"auto", "none"}))
         ->capture_default_str();
     app.add_option("--units", o.units, "Unit of the file's numbers")

@@ -57,6 +57,7 @@ Json designJson(const std::string& inputFile, const DesignRequest& request, cons
                    {"volume", volume(part)},
                    {"diagonal", diagonal(part)}}},
                  {"castable", result.castable},
+                 {"cut_short", result.cutShort},
                  {"plane", cli::jsonOf(result.state.plane)},
                  {"d1", cli::jsonOf(result.state.directions.d1)},
                  {"d2", cli::jsonOf(result.state.directions.d2)},

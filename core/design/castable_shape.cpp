@@ -36,6 +36,8 @@ std::vector<double> tetWeights(const PartedSolid& solid, const std::vector<doubl
     std::vector<double> weights(static_cast<std::size_t>(solid.tets.T.rows()), 1);
     const std::vector<int> behind = tetsBehindFaces(solid.tets.T, solid.surface.mesh.F);
     for (std::size_t f = 0; f < behind.size(); ++f) {
+        if (solid.surface.sourceFace[f] < 0)
+            continue;
         const double weight = faceWeights[static_cast<std::size_t>(solid.surface.sourceFace[f])];
         double& tet = weights[static_cast<std::size_t>(behind[f])];
         tet = std::max(tet, weight);

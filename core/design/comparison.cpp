@@ -105,12 +105,21 @@ std::vector<int> tipsOf(const Before& before, const std::vector<Eigen::Vector3d>
     return tips;
 }
 
-/// One limb; none where its tip is gone, or where it encloses next to nothing (the corner of a plate).
+/// The point of the cast that a point of the part became, or, where the clean-up took it, the nearest one
+/// left.
+int castPointNear(const Before& before, const std::vector<double>& distanceToIt) {
+    int nearest = -1;
+    for (std::size_t v = 0; v < distanceToIt.size(); ++v)
+        if (before.castVertex[v] >= 0 &&
+            (nearest < 0 || distanceToIt[v] < distanceToIt[static_cast<std::size_t>(nearest)]))
+            nearest = static_cast<int>(v);
+    return before.castVertex[static_cast<std::size_t>(nearest)];
+}
+
+/// One limb; none where it encloses next to nothing (the corner of a plate).
 std::optional<LimbMeasure> measureLimb(const Before& before, const IndexedMesh& cast, int tip) {
-    const int castTip = before.castVertex[static_cast<std::size_t>(tip)];
-    if (castTip < 0)
-        return std::nullopt;
     const std::vector<double> was = before.graph.distances({tip});
+    const int castTip = castPointNear(before, was);
     const std::vector<double> is = before.castGraph.distances({castTip});
     const double reach = jointReach(before.parted, was, before.size);
     std::vector<char> inside(was.size(), 0);

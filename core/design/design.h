@@ -21,6 +21,9 @@ namespace moldwright {
 enum class DirectionsChoice { Automatic, Normal, Given };
 enum class DeformationMethod { Default, Paper };
 
+/// What happens to places that no bending frees: nothing (the obstruction is the answer), or they are filled.
+enum class FillChoice { None, Auto };
+
 /// A point of the part that may move only in the parting plane. [Stein 2019], Section 6.1.
 struct Pin {
     Eigen::Vector3d point; ///< mm, part frame, in the undeformed shape; snapped to the nearest tet vertex
@@ -39,6 +42,9 @@ struct DesignRequest {
     std::vector<Pin> pins;
     std::vector<double> faceWeights;       ///< importance per face of `part`, 1 = plain; empty: all plain
     std::vector<Eigen::Vector3d> limbTips; ///< where limb measures are wanted; empty: found automatically
+    FillChoice fill = FillChoice::None;
+    bool keepUnfinished =
+        false; ///< a stopped run returns what it reached, marked cutShort, if it got that far
     unsigned seed = 1;
     /// Asked after every step: true ends the bending there and goes on to the finish; may be empty. Called
     /// from the thread of design().
@@ -88,6 +94,7 @@ struct DesignResult {
     SideLabels labels; ///< side of each face of cast
     MoldState state;
     bool castable = false; ///< exactly: certificate.holds()
+    bool cutShort = false; ///< stopped before its end: what was reached until then
     Certificate certificate;
     double energy = 0;
     double violatingAreaFraction = 0;
@@ -103,8 +110,9 @@ struct DesignResult {
 
 /// Runs Algorithm 1 unattended ([Stein 2019], Section 6.3; the pipeline is described in ARCHITECTURE.md):
 /// plane → parting line → deformation → finish → proof. `frames`, if set, is called from this thread after
-/// every step; while it does not return, the run rests. A result that is not castable is a value with castable = false; obstructions say why when one
-/// was found. Errors: BadInput, Impossible (no plane passes), Cancelled, Worker.
+/// every step; while it does not return, the run rests. A result that is not castable is a value with
+/// castable = false; obstructions say why when one was found. Errors: BadInput, Impossible (no plane passes),
+/// Cancelled, Worker.
 [[nodiscard]] Result<DesignResult> design(const DesignRequest& request, const Task& task = {},
                                           const FrameSink& frames = {});
 

@@ -4,6 +4,7 @@
 #include "castability/topology.h"
 #include "design/obstructions.h"
 #include "exchange/tetrahedralize.h"
+#include "fill/fill.h"
 #include "mesh/check.h"
 
 namespace moldwright {
@@ -105,6 +106,36 @@ Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, c
             if (refusal->code == ErrorCode::Cancelled)
                 return std::unexpected(*refusal);
         }
+    return std::unexpected(*refusal);
+}
+
+Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state, const Task& task) {
+    const WorkingFrame frame(part, state);
+    const IndexedMesh work = frame.toWork(part);
+    const Directions directions = frame.directionsToWork(state.directions);
+    std::optional<Error> refusal;
+    for (const double snap : kSnaps) {
+        const PartedMesh surface = insertPartingLine(work, snap);
+        if (!selfIntersections(surface.mesh).empty()) {
+            refusal = crossesItself();
+            continue;
+        }
+        Result<FilledPart> filled = fill(surface, directions, task);
+        Result<TetMesh> tets = filled ? tetrahedralize(filled->surface.mesh, task)
+                                      : Result<TetMesh>(std::unexpected(filled.error()));
+        if (!tets) {
+            refusal = tets.error();
+            if (task.stopped())
+                break;
+            continue;
+        }
+        for (int& source : filled->surface.sourceFace)
+            if (source >= 0)
+                source = surface.sourceFace[static_cast<std::size_t>(source)];
+        const double cubed = frame.scale() * frame.scale() * frame.scale();
+        return PartedSolid{state, frame, std::move(filled->surface), std::move(*tets),
+                           filled->volume * cubed};
+    }
     return std::unexpected(*refusal);
 }
 

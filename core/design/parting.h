@@ -16,14 +16,21 @@ namespace moldwright {
 struct PartedSolid {
     MoldState state; ///< part frame
     WorkingFrame frame;
-    PartedMesh surface; ///< working frame
-    TetMesh tets;       ///< working frame; surface points first
+    PartedMesh surface;      ///< working frame
+    TetMesh tets;            ///< working frame; surface points first
+    double filledVolume = 0; ///< mm³ that filling added
 };
 
 /// Parts the part at `state`, snapping less and less until the parted surface is free of self-intersection
 /// and TetGen takes it. Errors: Impossible (the reasons in words, see findObstructions()), Worker, Cancelled.
 [[nodiscard]] Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state,
                                             const Task& task);
+
+/// The same for the part with everything filled that cannot leave at `state` (see fill()); its new walls
+/// stand along the directions and still want leaning. surface.sourceFace is −1 on them. Errors: Internal,
+/// Worker, Cancelled.
+[[nodiscard]] Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state,
+                                              const Task& task);
 
 /// Whether the topological certificate holds for the part at `state`.
 [[nodiscard]] bool planePasses(const IndexedMesh& part, const MoldState& state);

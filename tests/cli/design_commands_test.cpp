@@ -153,8 +153,8 @@ TEST_F(DesignCommands, DesignGivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(DesignCommands, DesignNamesWhatStandsInTheWay) {
-    const test::Run run =
-        test::runProgram({"design", standingRing(), "--out", in("ring"), "--plane", "0", "0", "1", "-22"});
+    const test::Run run = test::runProgram(
+        {"design", standingRing(), "--out", in("ring"), "--plane", "0", "0", "1", "-22", "--fill", "none"});
     EXPECT_EQ(run.exitCode, 4) << run.err;
     EXPECT_NE(run.err.find("handle"), std::string::npos) << run.err;
     EXPECT_NE(run.err.find("side 1"), std::string::npos) << run.err;
@@ -166,9 +166,25 @@ TEST_F(DesignCommands, DesignNamesWhatStandsInTheWay) {
     EXPECT_FALSE(std::filesystem::exists(in("ring/cast.stl")));
 }
 
+TEST_F(DesignCommands, DesignFillsWhatNoBendingFrees) {
+    const test::Run run = test::runProgram(
+        {"design", standingRing(), "--out", in("ring"), "--plane", "0", "0", "1", "-22", "--mold"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(contentsOf(in("ring/design.json")));
+    EXPECT_EQ(json["castable"], true);
+    EXPECT_EQ(json["obstructions"].size(), 1U) << "what was filled is still told";
+    EXPECT_GT(json["change"]["filled_volume_fraction"], 0.1);
+    EXPECT_GT(json["change"]["volume_ratio"], 1.1);
+    EXPECT_TRUE(std::filesystem::exists(in("ring/mold-half-1.stl")));
+}
+
 TEST_F(DesignCommands, DesignEndsWhenItsTimeIsOver) {
     const test::Run run =
         test::runProgram({"design", sample("goat"), "--out", in("goat"), "--time-limit", "0.2"});
     EXPECT_EQ(run.exitCode, 5) << run.err;
-    EXPECT_NE(run.err.find("cancelled"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("stopped before its end"), std::string::npos) << run.err;
+    const Json json = Json::parse(contentsOf(in("goat/design.json")));
+    EXPECT_EQ(json["cut_short"], true);
+    EXPECT_EQ(json["castable"], false);
+    EXPECT_TRUE(std::filesystem::exists(in("goat/project.moldwright")));
 }

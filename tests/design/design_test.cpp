@@ -71,6 +71,40 @@ TEST(Design, BendsABananaUntilItIsCastableAndStaysNearIt) {
     EXPECT_NEAR(result->change.volumeRatio, 1, 0.15);
 }
 
+TEST(Design, FillsTheHoleOfAStandingRingWhereAsked) {
+    const IndexedMesh ring =
+        test::rotated(test::torus(16, 5, 48, 24), Eigen::Vector3d::UnitX(), std::numbers::pi / 2);
+    DesignRequest request = level(shared(ring));
+    request.plane->offset = -18;
+    const Result<DesignResult> named = design(request);
+    ASSERT_TRUE(named) << named.error().english();
+    EXPECT_FALSE(named->castable);
+    ASSERT_FALSE(named->obstructions.empty());
+    EXPECT_FALSE(named->cast);
+    request.fill = FillChoice::Auto;
+    const Result<DesignResult> filled = design(request);
+    ASSERT_TRUE(filled) << filled.error().english();
+    expectProved(*filled, 1);
+    EXPECT_FALSE(filled->obstructions.empty()) << "what was filled is still told";
+    // The disc that closes the hole, and what lies beside it under the ring's flanks.
+    EXPECT_GT(filled->change.filledVolumeFraction, 0.3);
+    EXPECT_LT(filled->change.filledVolumeFraction, 1.5);
+}
+
+TEST(Design, KeepsWhatItReachedWhereAsked) {
+    DesignRequest request = level(banana());
+    request.keepUnfinished = true;
+    const Task task;
+    const Result<DesignResult> result = design(request, task, [&](const DesignFrame& frame) {
+        if (frame.step == 5)
+            task.cancel();
+    });
+    ASSERT_TRUE(result) << result.error().english();
+    EXPECT_TRUE(result->cutShort);
+    EXPECT_TRUE(result->cast);
+    EXPECT_FALSE(result->castable);
+}
+
 TEST(Design, FindsAPlaneForABananaThatHardlyChangesIt) {
     DesignRequest request = level(banana());
     request.plane.reset();

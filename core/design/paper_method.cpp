@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/paper_method.h"
+
+#include "castability/analysis.h"
+#include "castability/plane_search.h"
+#include "design/comparison.h"
+#include "design/stopwatch.h"
+
+#include <numeric>
+
+namespace moldwright {
+
+namespace {
+
+constexpr int kPlasticSteps = 40; ///< at most
+
+Result<MoldState> stateFor(DesignRun& run) {
+    const DesignRequest& request = run.request();
+    if (request.plane)
+        return MoldState{*request.plane, run.directionsFor(*request.part, *request.plane)};
+    const Stopwatch watch(run.seconds(), "plane");
+    PlaneSearch search;
+    search.count = 1;
+    search.draftDegrees = request.draftDegrees;
+    search.maxTiltDegrees = request.maxTiltDegrees;
+    search.seed = request.seed;
+    const std::vector<PlaneCandidate> planes = findPlanes(*request.part, search, run.task().part(0, 0.1));
+    if (planes.empty())
+        return DesignRun::cancelled();
+    return planes.front().state;
+}
+
+/// Runs until the violating area stalls: it falls by less than a thousandth of itself in five steps.
+void plasticSteps(Elastoplastic& solver, DesignRun& run) {
+    const DesignRequest& request = run.request();
+    std::vector<double> history;
+    for (int step = 0; step < kPlasticSteps && !run.stopped(); ++step) {
+        {
+            const Stopwatch watch(run.seconds(), step == 0 ? "arap_first" : "elastoplastic");
+            solver.step(run.task());
+        }
+        run.task().progress(0.1 + 0.8 * step / kPlasticSteps, "deformation");
+        const DraftAnalysis analysis =
+            analyzeDraft(solver.shape(), solver.state(), request.draftDegrees, false);
+        run.show("deformation", solver.shape(), {}, solver.state());
+        history.push_back(analysis.energy);
+        const bool enough = request.finishNow && request.finishNow();
+        if (enough || analysis.castable() ||
+            (history.size() > 5 && history.back() > 0.999 * history[history.size() - 6]))
+            break;
+    }
+    run.seconds()["elastoplastic"] += run.seconds()["arap_first"];
+}
+
+DesignResult judged(const Elastoplastic& solver, DesignRun& run) {
+    const Stopwatch watch(run.seconds(), "postprocess");
+    const DesignRequest& request = run.request();
+    IndexedMesh cast =
+        postProcess(solver.shape(), solver.state(), request.draftDegrees, run.task().part(0.9, 1));
+    cast.V = cast.V.cast<float>().cast<double>();
+    DesignResult result;
+    result.state = solver.state();
+    result.tets = solver.tets();
+    result.plasticSteps = solver.steps();
+    result.localGlobalIterations = solver.iterations();
+    result.labels = labelSides(cast, result.state.plane);
+    result.certificate = certify(cast, result.labels, result.state, request.draftDegrees);
+    result.castable = result.certificate.holds();
+    const DraftAnalysis analysis = analyzeDraft(cast, result.state, request.draftDegrees, false);
+    result.energy = analysis.energy;
+    result.violatingAreaFraction = analysis.violatingAreaFraction;
+    std::vector<int> same(static_cast<std::size_t>(cast.vertexCount()));
+    std::iota(same.begin(), same.end(), 0);
+    result.change = measureChange(*request.part, *request.part, cast, same);
+    result.limbs = measureLimbs(*request.part, cast, same, request.limbTips);
+    result.cast = std::make_shared<const IndexedMesh>(std::move(cast));
+    return result;
+}
+
+} // namespace
+
+Result<Elastoplastic> elastoplasticAt(const MoldState& state, DesignRun& run) {
+    const DesignRequest& request = run.request();
+    ElastoplasticSettings settings;
+    settings.draftDegrees = request.draftDegrees;
+    settings.maxTiltDegrees = request.maxTiltDegrees;
+    settings.optimizeDirections = request.directionsChoice == DirectionsChoice::Automatic;
+    const Stopwatch watch(run.seconds(), "tetrahedralize");
+    Result<Elastoplastic> solver = Elastoplastic::create(request.part, state, settings, run.task());
+    if (!solver)
+        return solver;
+    solver->setPins(request.pins);
+    if (!request.faceWeights.empty())
+        solver->setFaceWeights(request.faceWeights);
+    return solver;
+}
+
+Result<DesignResult> designAsPublished(DesignRun& run) {
+    const Result<MoldState> state = stateFor(run);
+    if (!state)
+        return std::unexpected(state.error());
+    Result<Elastoplastic> solver = elastoplasticAt(*state, run);
+    if (!solver)
+        return std::unexpected(solver.error());
+    plasticSteps(*solver, run);
+    if (run.stopped() && !run.request().keepUnfinished)
+        return DesignRun::cancelled();
+    DesignResult result = judged(*solver, run);
+    result.cutShort = run.stopped();
+    return result;
+}
+
+} // namespace moldwright

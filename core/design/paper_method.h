@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "design/design_run.h"
+#include "design/elastoplastic.h"
+
+namespace moldwright {
+
+/// The published deformation of the whole part at a state, with the request's pins and importance. Errors:
+/// Worker, Cancelled.
+[[nodiscard]] Result<Elastoplastic> elastoplasticAt(const MoldState& state, DesignRun& run);
+
+/// The paper's method as described: nothing split, restarts, post-processing. It seldom ends castable. Errors
+/// as of design().
+[[nodiscard]] Result<DesignResult> designAsPublished(DesignRun& run);
+
+} // namespace moldwright
