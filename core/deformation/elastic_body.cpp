@@ -1,84 +1,53 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+// Compiled with -O3, so that the loops over lanes become vector code.
 #include "deformation/elastic_body.h"
 
 #include "base/parallel.h"
+#include "base/vector_code.h"
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
+#include <algorithm>
+#include <array>
 
 namespace moldwright {
 
 namespace {
 
-/// Blocks that scatter into arrays of their own, summed in this order: fixed, so that threads do not change
-/// results.
-constexpr std::size_t kBlocks = 8;
-
-int roundUp(int count, int step) {
-    return (count + step - 1) / step * step;
-}
+constexpr std::size_t kBlockGrain = 4; ///< blocks
+constexpr std::size_t kPointGrain = 2048;
 
 } // namespace
 
-ElasticBody::ElasticBody(const BodyShape& shape)
-    : m_points(static_cast<int>(shape.V.rows())), m_tetCount(static_cast<int>(shape.T.rows())),
-      m_faceCount(shape.membrane > 0 ? static_cast<int>(shape.F.rows()) : 0),
-      m_faceStart(roundUp(m_tetCount, L)), m_volumeStiffness(shape.volumeStiffness) {
-    m_batches.assign(static_cast<std::size_t>((m_faceStart + roundUp(m_faceCount, L)) / L), Batch{});
-    const auto point = [&](int v) -> Eigen::Vector3d { return shape.V.row(v).transpose(); };
-    for (int t = 0; t < m_tetCount; ++t) {
-        const Eigen::RowVector4i c = shape.T.row(t);
-        Eigen::Matrix3d edges; // rows
-        for (int k = 0; k < 3; ++k)
-            edges.row(k) = (point(c[k + 1]) - point(c[0])).transpose();
-        const double importance =
-            shape.tetWeights.empty() ? 1.0 : shape.tetWeights[static_cast<std::size_t>(t)];
-        addElement(t, c, edges.inverse().transpose(), importance * std::abs(edges.determinant()) / 6);
-    }
-    for (int f = 0; f < m_faceCount; ++f) {
-        const Eigen::RowVector3i c = shape.F.row(f);
-        const Eigen::Vector3d a = point(c[1]) - point(c[0]);
-        const Eigen::Vector3d b = point(c[2]) - point(c[0]);
-        const Eigen::Vector3d normal = a.cross(b);
-        const double square = std::max(normal.squaredNorm(), 1e-300);
-        Eigen::Matrix3d gradients;
-        gradients.row(0) = b.cross(normal).transpose() / square;
-        gradients.row(1) = normal.cross(a).transpose() / square;
-        gradients.row(2).setZero();
-        addElement(m_faceStart + f, {c[0], c[1], c[2], c[2]}, gradients, shape.membrane * normal.norm() / 2);
-    }
+/// What a block works on: its points, and what it adds to them. Small enough for the processor's first cache.
+struct ElasticBody::BlockNumbers {
+    alignas(64) double x[3][kMostPlaces];
+    alignas(64) double push[3][kMostPlaces];
+};
+
+Eigen::Quaterniond rotationAt(const Rotations& rotations, int lane) {
+    const QuaternionBatch& batch = rotations[static_cast<std::size_t>(lane / QuaternionBatch::kLanes)];
+    const int l = lane % QuaternionBatch::kLanes;
+    return {batch.q[0][l], batch.q[1][l], batch.q[2][l], batch.q[3][l]};
 }
 
-int ElasticBody::elementAt(std::size_t batch, int lane) const {
-    const int slot = static_cast<int>(batch) * L + lane;
-    if (slot < m_faceStart)
-        return slot < m_tetCount ? slot : -1;
-    const int face = slot - m_faceStart;
-    return face < m_faceCount ? m_tetCount + face : -1;
+void setRotation(Rotations& rotations, int lane, const Eigen::Quaterniond& q) {
+    QuaternionBatch& batch = rotations[static_cast<std::size_t>(lane / QuaternionBatch::kLanes)];
+    const int l = lane % QuaternionBatch::kLanes;
+    batch.q[0][l] = q.w();
+    batch.q[1][l] = q.x();
+    batch.q[2][l] = q.y();
+    batch.q[3][l] = q.z();
 }
 
-void ElasticBody::addElement(int index, const Eigen::Matrix<int, 1, 4>& corners,
-                             const Eigen::Matrix3d& gradients, double weight) {
-    Batch& batch = m_batches[static_cast<std::size_t>(index / L)];
-    const int lane = index % L;
-    for (int k = 0; k < 4; ++k)
-        batch.corner[k][lane] = corners[k];
-    for (int k = 0; k < 9; ++k)
-        batch.gradient[k][lane] = gradients(k / 3, k % 3);
-    batch.weight[lane] = weight;
-}
-
-void ElasticBody::deformationGradients(const Batch& batch, const Positions& X, MatrixBatch& F) const {
+[[gnu::always_inline]] inline void
+ElasticBody::deformationGradients(const Batch& batch, const BlockNumbers& numbers, MatrixBatch& F) {
     double edge[9][L]; // x_k − x_0, coordinate by coordinate
-    for (int i = 0; i < 3; ++i) {
-        const double* x = X.col(i).data();
+    for (int i = 0; i < 3; ++i)
         for (int l = 0; l < L; ++l) {
-            const double x0 = x[batch.corner[0][l]];
-            edge[i][l] = x[batch.corner[1][l]] - x0;
-            edge[3 + i][l] = x[batch.corner[2][l]] - x0;
-            edge[6 + i][l] = x[batch.corner[3][l]] - x0;
+            const double x0 = numbers.x[i][batch.corner[0][l]];
+            edge[i][l] = numbers.x[i][batch.corner[1][l]] - x0;
+            edge[3 + i][l] = numbers.x[i][batch.corner[2][l]] - x0;
+            edge[6 + i][l] = numbers.x[i][batch.corner[3][l]] - x0;
         }
-    }
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             for (int l = 0; l < L; ++l)
@@ -87,65 +56,103 @@ void ElasticBody::deformationGradients(const Batch& batch, const Positions& X, M
                                     edge[6 + i][l] * batch.gradient[6 + j][l];
 }
 
-void ElasticBody::scatter(const Batch& batch, const MatrixBatch& M, double factor, Positions& out) {
+[[gnu::always_inline]] inline void ElasticBody::scatter(const Batch& batch, const MatrixBatch& M,
+                                                        double factor, BlockNumbers& numbers) {
     for (int i = 0; i < 3; ++i) {
-        double* o = out.col(i).data();
-        double push[3][L];
+        double push[4][L];
         for (int k = 0; k < 3; ++k)
             for (int l = 0; l < L; ++l)
-                push[k][l] = factor * batch.weight[l] *
-                             (M.m[3 * i][l] * batch.gradient[3 * k][l] +
-                              M.m[3 * i + 1][l] * batch.gradient[3 * k + 1][l] +
-                              M.m[3 * i + 2][l] * batch.gradient[3 * k + 2][l]);
-        for (int l = 0; l < L; ++l) {
-            o[batch.corner[0][l]] -= push[0][l] + push[1][l] + push[2][l];
-            o[batch.corner[1][l]] += push[0][l];
-            o[batch.corner[2][l]] += push[1][l];
-            o[batch.corner[3][l]] += push[2][l];
-        }
+                push[k + 1][l] = factor * batch.weight[l] *
+                                 (M.m[3 * i][l] * batch.gradient[3 * k][l] +
+                                  M.m[3 * i + 1][l] * batch.gradient[3 * k + 1][l] +
+                                  M.m[3 * i + 2][l] * batch.gradient[3 * k + 2][l]);
+        for (int l = 0; l < L; ++l)
+            push[0][l] = -(push[1][l] + push[2][l] + push[3][l]);
+        for (int k = 0; k < 4; ++k)
+            for (int l = 0; l < L; ++l)
+                numbers.push[i][batch.corner[k][l]] += push[k][l];
     }
 }
 
 /// Adds ν(det F − 1)² to the lanes' energies and half its derivative, ν(det F − 1)·cof F, to the residuals.
-void ElasticBody::addVolumeTerm(const MatrixBatch& F, double stiffness, MatrixBatch& residual,
-                                double* energies) {
+[[gnu::always_inline]] inline void ElasticBody::addVolumeTerm(const MatrixBatch& F, double stiffness,
+                                                              MatrixBatch& residual, double* energies) {
     for (int l = 0; l < L; ++l) {
-        double cofactor[9];
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) {
-                const int i1 = (i + 1) % 3;
-                const int i2 = (i + 2) % 3;
-                const int j1 = (j + 1) % 3;
-                const int j2 = (j + 2) % 3;
-                cofactor[3 * i + j] =
-                    F.m[3 * i1 + j1][l] * F.m[3 * i2 + j2][l] - F.m[3 * i1 + j2][l] * F.m[3 * i2 + j1][l];
-            }
-        const double det = F.m[0][l] * cofactor[0] + F.m[1][l] * cofactor[1] + F.m[2][l] * cofactor[2];
-        energies[l] += stiffness * (det - 1) * (det - 1);
-        for (int k = 0; k < 9; ++k)
-            residual.m[k][l] += stiffness * (det - 1) * cofactor[k];
+        const double f00 = F.m[0][l], f01 = F.m[1][l], f02 = F.m[2][l];
+        const double f10 = F.m[3][l], f11 = F.m[4][l], f12 = F.m[5][l];
+        const double f20 = F.m[6][l], f21 = F.m[7][l], f22 = F.m[8][l];
+        const double c00 = f11 * f22 - f12 * f21, c01 = f12 * f20 - f10 * f22, c02 = f10 * f21 - f11 * f20;
+        const double c10 = f21 * f02 - f22 * f01, c11 = f22 * f00 - f20 * f02, c12 = f20 * f01 - f21 * f00;
+        const double c20 = f01 * f12 - f02 * f11, c21 = f02 * f10 - f00 * f12, c22 = f00 * f11 - f01 * f10;
+        const double change = f00 * c00 + f01 * c01 + f02 * c02 - 1;
+        const double push = stiffness * change;
+        energies[l] += push * change;
+        residual.m[0][l] += push * c00;
+        residual.m[1][l] += push * c01;
+        residual.m[2][l] += push * c02;
+        residual.m[3][l] += push * c10;
+        residual.m[4][l] += push * c11;
+        residual.m[5][l] += push * c12;
+        residual.m[6][l] += push * c20;
+        residual.m[7][l] += push * c21;
+        residual.m[8][l] += push * c22;
     }
 }
 
-/// Runs perBatch(batch index, scatter target) over all batches in fixed blocks; adds the blocks' targets to
-/// *out in order and returns the sum of what perBatch returned.
-template <class PerBatch>
-double ElasticBody::overBatches(Positions* out, const PerBatch& perBatch) const {
-    const std::size_t grain = (m_batches.size() + kBlocks - 1) / kBlocks;
-    std::vector<Positions> targets(out ? kBlocks : 0);
-    std::vector<double> sums(kBlocks, 0.0);
-    parallelFor(m_batches.size(), grain, [&](std::size_t begin, std::size_t end) {
-        const std::size_t block = begin / grain;
-        Positions none;
-        if (out)
-            targets[block] = Positions::Zero(m_points, 3);
-        for (std::size_t b = begin; b < end; ++b)
-            sums[block] += perBatch(b, out ? targets[block] : none);
+/// Of a face only the part within it counts: ‖(F−R)P‖² = ‖F−R‖² − ‖(F−R)ν‖², ν the rest normal.
+[[gnu::always_inline]] inline void
+ElasticBody::removeNormalPart(const Batch& batch, const MatrixBatch& residual, double* energies) {
+    const auto& g = batch.gradient;
+    for (int l = 0; l < L; ++l) {
+        const double x = g[1][l] * g[5][l] - g[2][l] * g[4][l];
+        const double y = g[2][l] * g[3][l] - g[0][l] * g[5][l];
+        const double z = g[0][l] * g[4][l] - g[1][l] * g[3][l];
+        const double square = x * x + y * y + z * z;
+        const double a = residual.m[0][l] * x + residual.m[1][l] * y + residual.m[2][l] * z;
+        const double b = residual.m[3][l] * x + residual.m[4][l] * y + residual.m[5][l] * z;
+        const double c = residual.m[6][l] * x + residual.m[7][l] * y + residual.m[8][l] * z;
+        energies[l] -= square > 0 ? (a * a + b * b + c * c) / square : 0.0;
+    }
+}
+
+void ElasticBody::gather(const Block& block, const Positions& X, BlockNumbers& numbers) const {
+    const int* point = m_pointOfPlace.data() + block.firstPlace;
+    for (int i = 0; i < 3; ++i) {
+        const double* x = X.col(i).data();
+        for (std::size_t p = 0; p < block.places; ++p)
+            numbers.x[i][p] = x[point[p]];
+    }
+}
+
+/// Runs perBlock(block, numbers) over all blocks, points gathered if X is given; adds what it pushed to *out
+/// if given; returns the sum of what it returned, in the order of the blocks.
+template <class PerBlock>
+double ElasticBody::overBlocks(const Positions* X, Positions* out, const PerBlock& perBlock) const {
+    std::vector<double> sums(m_blocks.size());
+    Positions pushes(out ? static_cast<Eigen::Index>(m_pointOfPlace.size()) : 0, 3);
+    parallelFor(m_blocks.size(), kBlockGrain, [&](std::size_t begin, std::size_t end) {
+        BlockNumbers numbers;
+        for (std::size_t b = begin; b < end; ++b) {
+            const Block& block = m_blocks[b];
+            if (X)
+                gather(block, *X, numbers);
+            for (int i = 0; out && i < 3; ++i)
+                std::fill_n(numbers.push[i], block.places, 0.0);
+            sums[b] = perBlock(block, numbers);
+            for (int i = 0; out && i < 3; ++i)
+                std::copy_n(numbers.push[i], block.places, pushes.col(i).data() + block.firstPlace);
+        }
     });
     if (out)
-        for (const Positions& target : targets)
-            if (target.rows() > 0)
-                *out += target;
+        parallelFor(static_cast<std::size_t>(m_points), kPointGrain, [&](std::size_t begin, std::size_t end) {
+            for (int i = 0; i < 3; ++i) {
+                double* o = out->col(i).data();
+                const double* push = pushes.col(i).data();
+                for (std::size_t v = begin; v < end; ++v)
+                    for (int p = m_placesStart[v]; p < m_placesStart[v + 1]; ++p)
+                        o[v] += push[m_places[static_cast<std::size_t>(p)]];
+            }
+        });
     double sum = 0;
     for (const double s : sums)
         sum += s;
@@ -153,119 +160,66 @@ double ElasticBody::overBatches(Positions* out, const PerBatch& perBatch) const 
 }
 
 double ElasticBody::energy(const Positions& X, double weight, Positions& gradient) const {
-    return overBatches(&gradient, [&](std::size_t b, Positions& target) {
-        const Batch& batch = m_batches[b];
-        MatrixBatch F;
-        MatrixBatch R;
-        deformationGradients(batch, X, F);
-        fitRotations(F, R);
-        const MatrixBatch whole = F;
-        const bool face = static_cast<int>(b) * L >= m_faceStart;
-        double sums[L] = {};
-        for (int k = 0; k < 9; ++k)
-            for (int l = 0; l < L; ++l) {
-                F.m[k][l] -= R.m[k][l];
-                sums[l] += F.m[k][l] * F.m[k][l];
-            }
-        if (face) {
-            // Only the part within the face counts: ‖(F−R)P‖² = ‖F−R‖² − ‖(F−R)ν‖², ν the rest normal.
-            for (int l = 0; l < L; ++l) {
-                const auto g = [&](int k) { return batch.gradient[k][l]; };
-                Eigen::Vector3d normal(g(1) * g(5) - g(2) * g(4), g(2) * g(3) - g(0) * g(5),
-                                       g(0) * g(4) - g(1) * g(3));
-                normal.normalize();
-                for (int i = 0; i < 3; ++i) {
-                    const double along = F.m[3 * i][l] * normal[0] + F.m[3 * i + 1][l] * normal[1] +
-                                         F.m[3 * i + 2][l] * normal[2];
-                    sums[l] -= along * along;
-                }
-            }
-        }
-        if (!face && m_volumeStiffness > 0)
-            addVolumeTerm(whole, m_volumeStiffness, F, sums);
-        scatter(batch, F, 2 * weight, target);
+    return overBlocks(&X, &gradient, [&](const Block& block, BlockNumbers& numbers) {
         double sum = 0;
-        for (int l = 0; l < L; ++l)
-            sum += batch.weight[l] > 0 ? batch.weight[l] * sums[l] : 0.0;
+        inVectorCode([&] {
+            alignas(64) double total[L] = {};
+            for (std::size_t b = block.firstBatch; b < block.firstBatch + block.batches; ++b) {
+                const Batch& batch = m_batches[b];
+                MatrixBatch F;
+                MatrixBatch residual;
+                QuaternionBatch q;
+                alignas(64) double energies[L] = {};
+                deformationGradients(batch, numbers, F);
+                fitQuaternions(F, q);
+                toMatrices(q, residual);
+                for (int k = 0; k < 9; ++k)
+                    for (int l = 0; l < L; ++l) {
+                        residual.m[k][l] = F.m[k][l] - residual.m[k][l];
+                        energies[l] += residual.m[k][l] * residual.m[k][l];
+                    }
+                if (block.faces)
+                    removeNormalPart(batch, residual, energies);
+                else if (m_volumeStiffness > 0)
+                    addVolumeTerm(F, m_volumeStiffness, residual, energies);
+                scatter(batch, residual, 2 * weight, numbers);
+                for (int l = 0; l < L; ++l)
+                    total[l] += batch.weight[l] > 0 ? batch.weight[l] * energies[l] : 0.0;
+            }
+            for (const double lane : total)
+                sum += lane;
+        });
         return sum;
     });
 }
 
-void ElasticBody::fit(const Positions& X, std::vector<Eigen::Matrix3d>& rotations) const {
-    rotations.resize(static_cast<std::size_t>(elementCount()));
-    overBatches(nullptr, [&](std::size_t b, Positions&) {
-        MatrixBatch F;
-        MatrixBatch R;
-        deformationGradients(m_batches[b], X, F);
-        fitRotations(F, R);
-        for (int l = 0; l < L; ++l) {
-            const int element = elementAt(b, l);
-            if (element < 0)
-                continue;
-            for (int k = 0; k < 9; ++k)
-                rotations[static_cast<std::size_t>(element)](k / 3, k % 3) = R.m[k][l];
-        }
+void ElasticBody::fit(const Positions& X, Rotations& rotations) const {
+    rotations.resize(m_batches.size());
+    overBlocks(&X, nullptr, [&](const Block& block, BlockNumbers& numbers) {
+        inVectorCode([&] {
+            for (std::size_t b = block.firstBatch; b < block.firstBatch + block.batches; ++b) {
+                MatrixBatch F;
+                deformationGradients(m_batches[b], numbers, F);
+                fitQuaternions(F, rotations[b]);
+            }
+        });
         return 0.0;
     });
 }
 
-Positions ElasticBody::rightHandSide(const std::vector<Eigen::Matrix3d>& rotations) const {
+Positions ElasticBody::rightHandSide(const Rotations& rotations) const {
     Positions rhs = Positions::Zero(m_points, 3);
-    overBatches(&rhs, [&](std::size_t b, Positions& target) {
-        MatrixBatch R{};
-        for (int l = 0; l < L; ++l) {
-            const int element = elementAt(b, l);
-            if (element < 0)
-                continue;
-            for (int k = 0; k < 9; ++k)
-                R.m[k][l] = rotations[static_cast<std::size_t>(element)](k / 3, k % 3);
-        }
-        scatter(m_batches[b], R, 1, target);
+    overBlocks(nullptr, &rhs, [&](const Block& block, BlockNumbers& numbers) {
+        inVectorCode([&] {
+            for (std::size_t b = block.firstBatch; b < block.firstBatch + block.batches; ++b) {
+                MatrixBatch R;
+                toMatrices(rotations[b], R);
+                scatter(m_batches[b], R, 1, numbers);
+            }
+        });
         return 0.0;
     });
     return rhs;
-}
-
-namespace {
-
-/// Adds weight · g_a·g_b for the pairs of an element's corners that lie in the lower triangle.
-void addStiffness(std::vector<Eigen::Triplet<double>>& triplets, const int* corners, int count,
-                  const Eigen::Matrix<double, 4, 3>& g, double weight) {
-    for (int a = 0; a < count; ++a)
-        for (int b = 0; b < count; ++b)
-            if (corners[a] >= corners[b])
-                triplets.emplace_back(corners[a], corners[b], weight * g.row(a).dot(g.row(b)));
-}
-
-} // namespace
-
-Eigen::SparseMatrix<double> ElasticBody::laplacian() const {
-    std::vector<Eigen::Triplet<double>> triplets;
-    for (std::size_t b = 0; b < m_batches.size(); ++b)
-        for (int l = 0; l < L; ++l) {
-            const Batch& batch = m_batches[b];
-            if (!(batch.weight[l] > 0))
-                continue;
-            Eigen::Matrix<double, 4, 3> g;
-            for (int k = 0; k < 9; ++k)
-                g(1 + k / 3, k % 3) = batch.gradient[k][l];
-            g.row(0) = -(g.row(1) + g.row(2) + g.row(3));
-            const int corners[4] = {batch.corner[0][l], batch.corner[1][l], batch.corner[2][l],
-                                    batch.corner[3][l]};
-            addStiffness(triplets, corners, static_cast<int>(b) * L >= m_faceStart ? 3 : 4, g,
-                         batch.weight[l]);
-        }
-    Eigen::SparseMatrix<double> A(m_points, m_points);
-    A.setFromTriplets(triplets.begin(), triplets.end());
-    return A;
-}
-
-Eigen::SparseMatrix<double> surfaceLaplacian(const Points& V, const Triangles& F) {
-    BodyShape shell;
-    shell.V = V;
-    shell.F = F;
-    shell.membrane = 1;
-    return ElasticBody(shell).laplacian();
 }
 
 } // namespace moldwright

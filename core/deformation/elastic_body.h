@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "deformation/rotation_fit.h"
+#include "deformation/rotation_lanes.h"
 #include "mesh/tet_mesh.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/SparseCore>
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace moldwright {
@@ -23,66 +26,103 @@ struct BodyShape {
     double volumeStiffness = 0;     ///< ν: weight of each tetrahedron's change of volume
 };
 
+/// A rotation for each lane of an elastic body.
+using Rotations = std::vector<QuaternionBatch>;
+
+[[nodiscard]] Eigen::Quaterniond rotationAt(const Rotations& rotations, int lane);
+void setRotation(Rotations& rotations, int lane, const Eigen::Quaterniond& q);
+
 /// The as-rigid-as-possible energy of a body and its surface:
 ///   E(X) = Σ_t w_t vol_t (min_R ‖F_t(X) − R‖² + ν (det F_t − 1)²) + m Σ_f area_f min_R ‖(F_f(X) − R) P_f‖²,
 /// F the deformation gradient, P_f the projection to the rest face. The first sum is [Stein 2019], Eq. (4),
 /// written per tetrahedron ([Chao 2010]): edge weights are the tetrahedral cotangents; the second is a
-/// membrane on the surface. Elements are stored for streaming, eight side by side. Results are the same for
-/// any number of threads.
+/// membrane on the surface.
+///
+/// Elements lie in lanes, eight side by side, in blocks of neighbours along a curve through space: a block
+/// gathers its points once, works in the processor's cache and in vector code, and leaves what it adds to
+/// each of its points in a place of its own; these are summed point by point. So results are the same for any
+/// number of threads and any vector width.
 class ElasticBody {
 public:
     explicit ElasticBody(const BodyShape& shape);
 
+    /// New rest positions and importances of the same elements.
+    void setRest(const Points& V, const std::vector<double>& tetWeights);
+
     [[nodiscard]] int pointCount() const { return m_points; }
     [[nodiscard]] int tetCount() const { return m_tetCount; }
     [[nodiscard]] int faceCount() const { return m_faceCount; }
-    /// Tetrahedra first, then faces: the elements that rotations are given for.
-    [[nodiscard]] int elementCount() const { return m_tetCount + m_faceCount; }
+    /// All lanes, idle ones included.
+    [[nodiscard]] int laneCount() const { return static_cast<int>(m_elementOfLane.size()); }
+    /// The lane of an element: tetrahedra first, then faces.
+    [[nodiscard]] int laneOf(int element) const { return m_laneOf[static_cast<std::size_t>(element)]; }
 
     /// Energy at X; adds `weight` times its gradient to `gradient` (n×3).
     [[nodiscard]] double energy(const Positions& X, double weight, Positions& gradient) const;
 
     /// The rotation nearest to each element's deformation gradient at X. [Stein 2019], Eq. (5).
-    void fit(const Positions& X, std::vector<Eigen::Matrix3d>& R) const;
+    void fit(const Positions& X, Rotations& R) const;
 
     /// Right-hand side Σ w R ∇φ of the global step for given rotations: the X that minimises Σ w‖F(X) − R‖²
     /// solves laplacian() · X = rhs.
-    [[nodiscard]] Positions rightHandSide(const std::vector<Eigen::Matrix3d>& R) const;
+    [[nodiscard]] Positions rightHandSide(const Rotations& R) const;
 
     /// Σ w ∇φ_a·∇φ_b over all elements, lower triangle, n×n; half the Hessian of the energy at fixed
     /// rotations.
-    [[nodiscard]] Eigen::SparseMatrix<double> laplacian() const;
+    [[nodiscard]] const Eigen::SparseMatrix<double>& laplacian() const { return m_laplacian; }
 
 private:
     static constexpr int L = MatrixBatch::kLanes;
+    static constexpr std::size_t kBlockElements = 256;
+    static constexpr std::size_t kMostPlaces = 4 * kBlockElements;
 
-    /// Eight elements: corners, gradients of three of the four shape functions (the first is minus their
-    /// sum), measure times weight. A face has its third gradient zero; idle lanes have weight 0.
+    /// Eight elements: corners as places within their block, gradients of three of the four shape functions
+    /// (the first is minus their sum), measure times weight. A face has its third gradient zero; idle lanes
+    /// have weight 0.
     struct alignas(64) Batch {
         int corner[4][L];
         double gradient[9][L]; ///< of corners 1, 2, 3
         double weight[L];
     };
 
-    void addElement(int index, const Eigen::Matrix<int, 1, 4>& corners, const Eigen::Matrix3d& gradients,
-                    double weight);
-    void deformationGradients(const Batch& batch, const Positions& X, MatrixBatch& F) const;
-    static void scatter(const Batch& batch, const MatrixBatch& M, double factor, Positions& out);
-    template <class PerBatch>
-    double overBatches(Positions* out, const PerBatch& perBatch) const;
+    /// Neighbouring elements of one kind and the points that they use.
+    struct Block {
+        std::size_t firstBatch, batches;
+        std::size_t firstPlace, places; ///< into m_pointOfPlace
+        bool faces;
+    };
+    struct BlockNumbers;
 
-    /// The element that a lane of a batch holds, −1 for an idle lane.
-    [[nodiscard]] int elementAt(std::size_t batch, int lane) const;
-
+    void addBlock(const BodyShape& shape, bool faces, std::span<const int> elements);
+    void indexPlaces();
+    void makePattern();
+    void fillLaplacian();
+    /// Runs perLane(lane, whether a face, points of its corners) over the lanes that are not idle.
+    template <class PerLane>
+    void overLanes(const PerLane& perLane) const;
+    void gather(const Block& block, const Positions& X, BlockNumbers& numbers) const;
+    template <class PerBlock>
+    double overBlocks(const Positions* X, Positions* out, const PerBlock& perBlock) const;
+    static void deformationGradients(const Batch& batch, const BlockNumbers& numbers, MatrixBatch& F);
+    static void scatter(const Batch& batch, const MatrixBatch& M, double factor, BlockNumbers& numbers);
     static void addVolumeTerm(const MatrixBatch& F, double stiffness, MatrixBatch& residual,
                               double* energies);
+    static void removeNormalPart(const Batch& batch, const MatrixBatch& residual, double* energies);
 
-    int m_points = 0;
-    int m_tetCount = 0;
-    int m_faceCount = 0;
-    int m_faceStart = 0; ///< first lane of the faces: batches are not mixed
-    double m_volumeStiffness = 0;
+    int m_points;
+    int m_tetCount;
+    int m_faceCount;
+    double m_membrane;
+    double m_volumeStiffness;
     std::vector<Batch> m_batches;
+    std::vector<Block> m_blocks;
+    std::vector<int> m_elementOfLane; ///< −1 for an idle lane
+    std::vector<int> m_laneOf;
+    std::vector<int> m_pointOfPlace;
+    std::vector<int> m_placesStart; ///< of each point, into m_places
+    std::vector<int> m_places;      ///< places of each point, ascending
+    Eigen::SparseMatrix<double> m_laplacian;
+    std::vector<std::array<int, 10>> m_entries; ///< of each lane's pairs of corners in the Laplacian
 };
 
 /// Cotangent Laplacian of a surface, lower triangle, positive semidefinite, n×n with n = V.rows(): Σ area

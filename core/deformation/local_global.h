@@ -4,10 +4,10 @@
 #include "castability/mold_state.h"
 #include "deformation/elastic_body.h"
 #include "deformation/plane_system.h"
+#include "deformation/rotation_smoothing.h"
 
 #include <Eigen/Geometry>
 
-#include <memory>
 #include <vector>
 
 namespace moldwright {
@@ -39,19 +39,28 @@ public:
     void setTetWeights(std::vector<double> weights);
 
 private:
+    /// A lane with a surface face whose draft it must have.
+    struct LaneOfFace {
+        int lane;
+        int face;
+    };
+
     void prepare();
+    void listLanesOfFaces();
     void enforce(const SideLabels& sides, const Directions& directions, double tau);
-    void smooth();
 
     BodyShape m_shape;
     std::vector<char> m_held;
     double m_smoothing;
-    std::unique_ptr<ElasticBody> m_body;
+    ElasticBody m_body;
+    RotationSmoothing m_neighbours;
     PlaneSystem m_system;
     Positions m_X;
-    std::vector<Eigen::Matrix3d> m_rotations;
-    std::vector<int> m_tetOfFace; ///< the tetrahedron behind each surface face, −1 for a shell
-    std::vector<std::array<int, 4>> m_neighbours; ///< of each tetrahedron across its faces, −1 outside
+    Rotations m_rotations;
+    Rotations m_smoothed;
+    std::vector<LaneOfFace>
+        m_lanesOfFaces;   ///< sorted by lane: an element with several faces has them together
+    Points m_restNormals; ///< of the surface faces
 };
 
 } // namespace moldwright

@@ -74,15 +74,15 @@ SideDraft sideDraft(const Triangles& F, const SideLabels& labels, const Directio
     return draft;
 }
 
-Eigen::Matrix3d castableRotation(const Eigen::Vector3d& N, const Eigen::Vector3d& d, double tau) {
+Eigen::Quaterniond castableRotation(const Eigen::Vector3d& N, const Eigen::Vector3d& d, double tau) {
     const double cosine = N.dot(d);
     if (cosine >= tau)
-        return Eigen::Matrix3d::Identity();
+        return Eigen::Quaterniond::Identity();
     Eigen::Vector3d axis = N.cross(d);
     const double sine = axis.norm();
     axis = sine > 1e-9 ? Eigen::Vector3d(axis / sine) : planeAxes(d)[0];
     const double angle = std::atan2(sine, cosine) - std::acos(tau);
-    return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
 }
 
 } // namespace moldwright

@@ -33,7 +33,7 @@ struct SideDraft {
 
 /// The smallest rotation Q with (QN)·d ≥ τ: about N×d, or about any axis across d where N = −d. [Stein 2019],
 /// Section 5.3. Identity where N·d ≥ τ already.
-[[nodiscard]] Eigen::Matrix3d castableRotation(const Eigen::Vector3d& N, const Eigen::Vector3d& d,
-                                               double tau);
+[[nodiscard]] Eigen::Quaterniond castableRotation(const Eigen::Vector3d& N, const Eigen::Vector3d& d,
+                                                  double tau);
 
 } // namespace moldwright

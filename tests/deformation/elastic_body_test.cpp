@@ -2,6 +2,7 @@
 #include "deformation/elastic_body.h"
 
 #include "base/parallel.h"
+#include "base/vector_code.h"
 #include "support/finite_differences.h"
 #include "support/shapes.h"
 #include "support/solids.h"
@@ -118,15 +119,43 @@ TEST_P(EveryBody, AtFixedRotationsTheGradientIsTwiceLaplacianLessRightHandSide) 
     shape.volumeStiffness = 0;
     const ElasticBody body(shape);
     const Positions X = disturbed(shape.V);
-    std::vector<Eigen::Matrix3d> R;
+    Rotations R;
     body.fit(X, R);
-    ASSERT_EQ(static_cast<int>(R.size()), body.elementCount());
     Positions gradient = Positions::Zero(X.rows(), 3);
     (void)body.energy(X, 1, gradient);
     // The rotations are optimal, so that they may be held while differentiating.
     const Positions byParts =
         2 * (body.laplacian().selfadjointView<Eigen::Lower>() * X - body.rightHandSide(R));
     EXPECT_LT((byParts - gradient).norm(), 1e-12 * gradient.norm() + 1e-13);
+}
+
+TEST_P(EveryBody, SameBitsForAnyVectorWidth) {
+    const BodyShape shape = GetParam().shape;
+    const ElasticBody body(shape);
+    const Positions X = disturbed(shape.V);
+    const auto evaluate = [&] {
+        Positions gradient = Positions::Zero(X.rows(), 3);
+        const double energy = body.energy(X, 1, gradient);
+        return std::pair(energy, gradient);
+    };
+    const auto widest = evaluate();
+    for (const VectorCode code : {VectorCode::Plain, VectorCode::Avx2, VectorCode::Avx512}) {
+        limitVectorCode(code);
+        EXPECT_EQ(evaluate(), widest);
+    }
+}
+
+TEST_P(EveryBody, ANewRestShapeIsThatOfANewBody) {
+    BodyShape shape = GetParam().shape;
+    ElasticBody body(shape);
+    shape.V = disturbed(shape.V);
+    for (double& weight : shape.tetWeights)
+        weight *= 1.5;
+    body.setRest(shape.V, shape.tetWeights);
+    const ElasticBody fresh(shape);
+    const Positions X = 1.1 * shape.V;
+    EXPECT_NEAR(energyAt(body, X), energyAt(fresh, X), 1e-12 * energyAt(fresh, X));
+    EXPECT_TRUE(body.laplacian().isApprox(fresh.laplacian(), 1e-12));
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, EveryBody,
