@@ -74,6 +74,7 @@ private:
     void connectBench();
     void connectPanels();
     void connectView();
+    void askTurn();
     void showKeys();
     void showAbout();
     void walkZones(int way);

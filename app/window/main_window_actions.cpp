@@ -18,6 +18,7 @@
 #include "view/part_view.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
+#include "window/turn_dialog.h"
 #include "window/view_bar.h"
 #include "window/workbench.h"
 
@@ -109,9 +110,10 @@ void MainWindow::connectPartActions() {
         if (m_view->pickingFaces() && m_bench.castShown())
             m_bench.restoreShape();
     });
-    m_actions.on(u"turn-x"_s, [this] { m_bench.turnPart(Eigen::Vector3d::UnitX()); });
-    m_actions.on(u"turn-y"_s, [this] { m_bench.turnPart(Eigen::Vector3d::UnitY()); });
-    m_actions.on(u"turn-z"_s, [this] { m_bench.turnPart(Eigen::Vector3d::UnitZ()); });
+    m_actions.on(u"turn-x"_s, [this] { m_bench.quarterTurnPart(Eigen::Vector3d::UnitX()); });
+    m_actions.on(u"turn-y"_s, [this] { m_bench.quarterTurnPart(Eigen::Vector3d::UnitY()); });
+    m_actions.on(u"turn-z"_s, [this] { m_bench.quarterTurnPart(Eigen::Vector3d::UnitZ()); });
+    m_actions.on(u"turn-by"_s, [this] { askTurn(); });
     m_actions.on(u"centre"_s, [this] { m_bench.centrePart(); });
     m_actions.on(u"best-plane"_s, [this] { m_bench.findBestPlane(); });
     m_actions.on(u"next-plane"_s, [this] { m_bench.takeNextPlane(); });
@@ -256,6 +258,19 @@ void MainWindow::connectView() {
         m_view->scene().setOpening(opening);
         m_view->fitAll();
     });
+}
+
+void MainWindow::askTurn() {
+    const Project& project = m_bench.document().committed();
+    auto* dialog =
+        new TurnDialog(project.state ? std::optional(project.state->plane.normal) : std::nullopt, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &TurnDialog::previewed, this,
+            [this, dialog] { m_bench.turnPart(dialog->axis(), dialog->degrees(), true); });
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog] { m_bench.turnPart(dialog->axis(), dialog->degrees(), false); });
+    connect(dialog, &QDialog::rejected, this, [this] { m_bench.document().endPreview(); });
+    dialog->open();
 }
 
 void MainWindow::showKeys() {

@@ -55,8 +55,8 @@ PropertyPage partPage(const Workbench& bench, const Actions& actions) {
         {Words::tr("Place of its middle"),
          {number(u"x"_s, Words::tr("X"), {}, place), number(u"y"_s, Words::tr("Y"), {}, place),
           number(u"z"_s, Words::tr("Z"), {}, place)},
-         {actions[u"turn-x"_s], actions[u"turn-y"_s], actions[u"turn-z"_s], actions[u"lay-flat"_s],
-          actions[u"centre"_s]},
+         {actions[u"turn-x"_s], actions[u"turn-y"_s], actions[u"turn-z"_s], actions[u"turn-by"_s],
+          actions[u"lay-flat"_s], actions[u"centre"_s]},
          false});
     page.sections.push_back(
         {Words::tr("Measured"),

@@ -22,7 +22,8 @@ struct Words {
 };
 
 QString componentText(double value) {
-    return QString::number(value, 'f', 4).replace(u'-', QChar(0x2212));
+    // Adding zero makes a plain zero of one that would be told as minus zero.
+    return QString::number(std::round(value * 1000) / 1000 + 0.0, 'f', 3).replace(u'-', QChar(0x2212));
 }
 
 QStringList measured(const QString& value, const QString& goal = {}) {

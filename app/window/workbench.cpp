@@ -100,8 +100,19 @@ void Workbench::setPlacement(const Placement& placement, const QString& words, c
     m_document.edit(words, withPlacement(m_document.committed(), placement), mergeKey);
 }
 
-void Workbench::turnPart(const Eigen::Vector3d& axis) {
+void Workbench::quarterTurnPart(const Eigen::Vector3d& axis) {
     setPlacement(moved(project().placement, quarterTurn(*project().part, axis)), tr("Turn the part"));
+}
+
+void Workbench::turnPart(const Eigen::Vector3d& axis, double degrees, bool preview) {
+    const Project& from = m_document.committed();
+    const Placement turned = moved(from.placement, turnAbout(*from.part, axis, degrees));
+    if (degrees == 0)
+        m_document.endPreview();
+    else if (preview)
+        m_document.preview(withPlacement(from, turned));
+    else
+        setPlacement(turned, tr("Turn the part by %1°").arg(degrees));
 }
 
 void Workbench::layFlatOn(int face) {

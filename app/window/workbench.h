@@ -84,7 +84,9 @@ public:
 
     // The part
     void setPlacement(const Placement& placement, const QString& words, const QString& mergeKey = {});
-    void turnPart(const Eigen::Vector3d& axis);
+    void quarterTurnPart(const Eigen::Vector3d& axis);
+    /// About the part's middle; a preview is no step yet.
+    void turnPart(const Eigen::Vector3d& axis, double degrees, bool preview);
     void layFlatOn(int face);
     void centrePart();
 

@@ -56,6 +56,7 @@ DesignRequest requestFor(const Project& project) {
     request.draftDegrees = project.design.draftDegrees;
     request.maxTiltDegrees = project.design.maxTiltDegrees;
     request.method = project.design.method;
+    request.fill = project.design.fill;
     request.pins = project.pins;
     request.faceWeights = project.faceWeights;
     request.seed = project.design.seed;

@@ -33,6 +33,13 @@ Eigen::Isometry3d layFlat(const IndexedMesh& part, const Eigen::Vector3d& normal
     return motion;
 }
 
+Eigen::Isometry3d turnAbout(const IndexedMesh& part, const Eigen::Vector3d& axis, double degrees) {
+    const Eigen::Vector3d middle = boundingBox(part).center();
+    Eigen::Isometry3d motion(Eigen::AngleAxisd(radians(degrees), axis));
+    motion.translation() = middle - motion.linear() * middle;
+    return motion;
+}
+
 Eigen::Isometry3d quarterTurn(const IndexedMesh& part, const Eigen::Vector3d& axis) {
     const Eigen::Vector3d middle = boundingBox(part).center();
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();

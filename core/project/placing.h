@@ -17,6 +17,10 @@ namespace moldwright {
 /// lowest point is at z = 0.
 [[nodiscard]] Eigen::Isometry3d layFlat(const IndexedMesh& part, const Eigen::Vector3d& normal);
 
+/// The turn of the part by an angle about the unit `axis` through the middle of its box.
+[[nodiscard]] Eigen::Isometry3d turnAbout(const IndexedMesh& part, const Eigen::Vector3d& axis,
+                                          double degrees);
+
 /// The exact quarter turn of the part about `axis` (a coordinate axis, unit) through the middle of its box.
 [[nodiscard]] Eigen::Isometry3d quarterTurn(const IndexedMesh& part, const Eigen::Vector3d& axis);
 

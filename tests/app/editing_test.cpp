@@ -5,6 +5,7 @@
 #include "mesh/measures.h"
 #include "panels/command_search.h"
 #include "panels/workflow_bar.h"
+#include "project/placing.h"
 #include "project/project_file.h"
 #include "scene/direction_handle.h"
 #include "support/folders.h"
@@ -13,6 +14,7 @@
 #include "window/main_window.h"
 
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QMouseEvent>
 #include <QTest>
 
@@ -158,6 +160,29 @@ TEST(Editing, TypingALengthScalesThePart) {
     ASSERT_TRUE(driver.openSample("praline"));
     driver.type("field-size", "2 in");
     EXPECT_NEAR(boundingBox(*driver.bench().project().part).sizes().maxCoeff(), 50.8, 0.01);
+}
+
+TEST(Editing, ThePartIsTurnedByAnyAngleSeenBeforeItIsDone) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("rabbit"));
+    const SharedMesh before = driver.bench().project().part;
+    driver.press("R");
+    driver.type("turn-angle", "30"); // Return in the field accepts
+    ASSERT_TRUE(driver.waitIdle());
+    const Document& document = driver.bench().document();
+    ASSERT_EQ(document.history().steps().size(), 1U);
+    const Eigen::Isometry3d turn = turnAbout(*before, Eigen::Vector3d::UnitZ(), 30);
+    EXPECT_LT((document.committed().part->point(7) - turn * before->point(7)).norm(), 1e-9);
+
+    driver.press("R");
+    auto* angle = driver.window().findChild<QDoubleSpinBox*>(QStringLiteral("turn-angle"));
+    ASSERT_TRUE(angle);
+    angle->setValue(45);
+    EXPECT_NE(document.project().part, document.committed().part) << "seen while it is asked for";
+    driver.shot("17-turn");
+    driver.press("Esc");
+    EXPECT_EQ(document.project().part, document.committed().part);
+    EXPECT_EQ(document.history().steps().size(), 1U);
 }
 
 TEST(Editing, ACommandIsFoundByItsWords) {

@@ -32,6 +32,15 @@ TEST(Placing, FourQuarterTurnsAreNoneToTheBit) {
     EXPECT_EQ(placed(brick(), placement).V, brick().V);
 }
 
+TEST(Placing, ATurnByAnyAngleKeepsTheMiddleAndFourOfTwentyTwoAndAHalfAreAQuarter) {
+    const IndexedMesh part = brick();
+    const Vector3d middle = boundingBox(part).center();
+    const Eigen::Isometry3d turn = turnAbout(part, Vector3d::UnitZ(), 22.5);
+    EXPECT_LT((turn * middle - middle).norm(), 1e-12);
+    const Eigen::Isometry3d four = turn * turn * turn * turn;
+    EXPECT_LT((four.matrix() - quarterTurn(part, Vector3d::UnitZ()).matrix()).norm(), 1e-12);
+}
+
 TEST(Placing, AnInchIsExact) {
     EXPECT_EQ(millimetres(Unit::Inch), 25.4);
 }

@@ -23,6 +23,10 @@ namespace {
 constexpr int labelWidth = 116;
 constexpr int fieldWidth = 92;
 constexpr int sliderSteps = 1000;
+constexpr int leastWidth = 288;
+constexpr int padding = 12;
+constexpr int bodyWidth = leastWidth - 2 * padding; ///< what a row can count on
+constexpr int buttonGap = 6;
 
 QFrame* hairline(QWidget* parent) {
     auto* line = new QFrame(parent);
@@ -68,7 +72,7 @@ PropertyPanel::PropertyPanel(QWidget* parent) : QScrollArea(parent) {
     setFrameShape(QFrame::NoFrame);
     setWidgetResizable(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setMinimumWidth(288);
+    setMinimumWidth(leastWidth);
     setAccessibleName(tr("Properties"));
 }
 
@@ -81,7 +85,7 @@ void PropertyPanel::showPage(const PropertyPage& page, bool evenIfSame) {
     m_rows.clear();
     auto* body = new QWidget(this);
     auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(12, 10, 12, 12);
+    column->setContentsMargins(padding, 10, padding, padding);
     column->setSpacing(6);
     addHead(page, column);
     for (const PropertySection& section : page.sections)
@@ -226,16 +230,20 @@ QWidget* PropertyPanel::makeReading(const ReadingProperty& reading, Row& row) {
 
 void PropertyPanel::addButtons(const PropertySection& section, QVBoxLayout* column) {
     QHBoxLayout* line = nullptr;
+    int room = 0;
     for (std::size_t i = 0; i < section.buttons.size(); ++i) {
         const bool first = i == 0 && section.primary;
         QPushButton* button = actionButton(section.buttons[i], this, first);
         const bool alone = first && section.buttons.size() % 2 == 1;
-        if (!line || line->count() == 2 || alone) {
+        const int width = button->sizeHint().width();
+        if (!line || line->count() == 2 || alone || width > room) {
             line = new QHBoxLayout;
-            line->setSpacing(6);
+            line->setSpacing(buttonGap);
             column->addLayout(line);
+            room = bodyWidth;
         }
         line->addWidget(button, 1);
+        room -= width + buttonGap;
         if (alone)
             line = nullptr;
     }

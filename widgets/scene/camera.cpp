@@ -61,13 +61,23 @@ Camera zoomedAt(const Camera& camera, double factor, double x, double y, ViewSiz
     return nearer;
 }
 
+std::vector<Eigen::Vector3d> cornersOf(const Eigen::AlignedBox3d& box) {
+    std::vector<Eigen::Vector3d> corners;
+    for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner)
+        corners.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    return corners;
+}
+
 Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& box, ViewSize view) {
-    if (box.isEmpty())
-        return camera;
+    return fitted(camera, cornersOf(box), view);
+}
+
+Camera fitted(const Camera& camera, std::span<const Eigen::Vector3d> points, ViewSize view) {
     Eigen::AlignedBox3d seen;
-    for (int corner = 0; corner < 8; ++corner)
-        seen.extend(camera.turn.conjugate() *
-                    box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    for (const Eigen::Vector3d& point : points)
+        seen.extend(camera.turn.conjugate() * point);
+    if (seen.isEmpty())
+        return camera;
     const Eigen::Vector3d half = seen.sizes() / 2;
     const double needed = std::max(half.y(), half.x() * view.height / view.width) * margin;
     Camera fit = camera;

@@ -4,6 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <span>
+#include <vector>
+
 namespace moldwright::scene {
 
 /// Size of a view in device pixels.
@@ -56,8 +59,14 @@ struct Camera {
 /// Nearer by `factor` (> 1 is nearer); what is under the pixel (x, y) stays under it.
 [[nodiscard]] Camera zoomedAt(const Camera& camera, double factor, double x, double y, ViewSize view);
 
-/// Looking the same way, the whole box in sight with a margin.
+/// Looking the same way, all points in sight with a margin; as it was when there are none.
+[[nodiscard]] Camera fitted(const Camera& camera, std::span<const Eigen::Vector3d> points, ViewSize view);
+
+/// The same for the corners of a box.
 [[nodiscard]] Camera fitted(const Camera& camera, const Eigen::AlignedBox3d& box, ViewSize view);
+
+/// The eight corners of a box, or none of an empty one.
+[[nodiscard]] std::vector<Eigen::Vector3d> cornersOf(const Eigen::AlignedBox3d& box);
 
 /// Looking from `direction` (need not be unit) towards the focus, z up, or y up when looking along z.
 [[nodiscard]] Camera lookingFrom(const Camera& camera, const Eigen::Vector3d& direction);

@@ -2,6 +2,7 @@
 #include "scene/half_layer.h"
 
 #include "mesh/measures.h"
+#include "scene/camera.h"
 
 #include <vtkMatrix4x4.h>
 
@@ -26,11 +27,13 @@ void HalfLayer::open(double way) {
     m_layer.actor()->SetUserMatrix(matrix);
 }
 
-Eigen::AlignedBox3d HalfLayer::box() const {
+std::vector<Eigen::Vector3d> HalfLayer::corners() const {
     if (!shown())
         return {};
-    Eigen::AlignedBox3d placed = boundingBox(*m_layer.mesh()).transformed(m_moldToPart);
-    return placed.translate(m_way * m_direction);
+    std::vector<Eigen::Vector3d> corners = cornersOf(boundingBox(*m_layer.mesh()));
+    for (Eigen::Vector3d& corner : corners)
+        corner = m_moldToPart * corner + m_way * m_direction;
+    return corners;
 }
 
 } // namespace moldwright::scene

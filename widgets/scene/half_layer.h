@@ -23,8 +23,8 @@ public:
     [[nodiscard]] bool shown() const { return m_layer.mesh() != nullptr; }
     [[nodiscard]] vtkActor* actor() const { return m_layer.actor(); }
 
-    /// Box in the part's frame, opened as it is.
-    [[nodiscard]] Eigen::AlignedBox3d box() const;
+    /// Corners of its box in the part's frame, opened as it is; none while nothing is shown.
+    [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
 
 private:
     MeshLayer m_layer;

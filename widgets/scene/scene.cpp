@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace moldwright::scene {
 
@@ -216,13 +217,16 @@ void Scene::setOpening(double opening) {
     m_half2.open(opening * openShare * size);
 }
 
-Eigen::AlignedBox3d Scene::box() const {
-    Eigen::AlignedBox3d all;
+std::vector<Eigen::Vector3d> Scene::outline() const {
+    std::vector<Eigen::Vector3d> points;
     if (m_surfaceVisible)
-        all.extend(m_surfaceBox);
-    all.extend(m_half1.box());
-    all.extend(m_half2.box());
-    return all;
+        points = cornersOf(m_surfaceBox);
+    for (const HalfLayer* half : {&m_half1, &m_half2})
+        std::ranges::copy(half->corners(), std::back_inserter(points));
+    if (m_state && m_directionsVisible && !m_surfaceBox.isEmpty())
+        for (const int side : {1, 2})
+            points.push_back(arrowTip(side));
+    return points;
 }
 
 void Scene::arrange(const Camera& camera, ViewSize view) {

@@ -68,8 +68,8 @@ public:
     /// Places camera, lights and all that is drawn flat. Call before rendering.
     void arrange(const Camera& camera, ViewSize view);
 
-    /// Box of what is visible.
-    [[nodiscard]] Eigen::AlignedBox3d box() const;
+    /// Points that bound what is visible, arrows included, mm.
+    [[nodiscard]] std::vector<Eigen::Vector3d> outline() const;
     [[nodiscard]] const SharedMesh& surface() const { return m_surface.mesh(); }
     [[nodiscard]] const std::optional<MoldState>& state() const { return m_state; }
     [[nodiscard]] const SceneColours& colours() const { return m_colours; }

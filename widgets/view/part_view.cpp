@@ -85,7 +85,7 @@ void PartView::setPerspective(bool perspective) {
 void PartView::fitAll(bool atOnce) {
     // A turn that is under way goes on to its end.
     const bool turning = m_ease.state() == QAbstractAnimation::Running;
-    const scene::Camera fit = scene::fitted(turning ? m_easeTo : m_camera, m_scene.box(), viewSize());
+    const scene::Camera fit = scene::fitted(turning ? m_easeTo : m_camera, m_scene.outline(), viewSize());
     atOnce ? setCamera(fit) : easeTo(fit);
 }
 
@@ -94,7 +94,7 @@ void PartView::frame(const Eigen::AlignedBox3d& box) {
 }
 
 void PartView::lookFrom(const Eigen::Vector3d& direction) {
-    easeTo(scene::fitted(scene::lookingFrom(m_camera, direction), m_scene.box(), viewSize()));
+    easeTo(scene::fitted(scene::lookingFrom(m_camera, direction), m_scene.outline(), viewSize()));
 }
 
 void PartView::lookHome() {
@@ -127,8 +127,7 @@ Eigen::Vector3d PartView::pivotAt(const Eigen::Vector2d& at) const {
     if (m_picker)
         if (const auto hit = m_picker->pick(m_camera.rayAt(at.x(), at.y(), viewSize())))
             return hit->point;
-    const Eigen::AlignedBox3d box = m_scene.box();
-    return box.isEmpty() ? m_camera.focus : box.center().eval();
+    return m_scene.surface() ? m_scene.middle() : m_camera.focus;
 }
 
 std::optional<scene::Grip> PartView::gripUnder(const Eigen::Vector2d& at) const {

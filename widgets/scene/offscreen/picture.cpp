@@ -80,7 +80,7 @@ Picture renderPicture(Scene& scene, const EglContext& context, const Eigen::Vect
     const OffscreenWindow window(context, finer * width, finer * height);
     scene.showIn(window.vtk(), false);
     const ViewSize view{static_cast<double>(finer * width), static_cast<double>(finer * height)};
-    scene.arrange(fitted(lookingFrom({}, from), scene.box(), view), view);
+    scene.arrange(fitted(lookingFrom({}, from), scene.outline(), view), view);
     window.vtk()->Render();
     vtkNew<vtkUnsignedCharArray> pixels;
     window.vtk()->GetPixelData(0, 0, finer * width - 1, finer * height - 1, 0, pixels.Get(), 0);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// How long the window's event loop is blocked at a time, with a mesh of 327,680 faces. Prints the longest gap
+// and the time to draw one picture, for each thing a user does; no test, since times are the machine's.
+#include "app/window_driver.h"
+
+#include "exchange/mesh_file.h"
+#include "panels/quantity_spin_box.h"
+#include "support/folders.h"
+#include "support/shapes.h"
+#include "view/part_view.h"
+#include "window/document.h"
+#include "window/main_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QTest>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdio>
+
+using namespace moldwright;
+
+namespace {
+
+/// The longest time between two turns of the event loop.
+class LongestGap : public QObject {
+public:
+    LongestGap() {
+        m_clock.start();
+        connect(&m_tick, &QTimer::timeout, this,
+                [this] { m_longest = std::max(m_longest, m_clock.restart()); });
+        m_tick.start(1);
+    }
+    qint64 take() {
+        m_clock.restart();
+        return std::exchange(m_longest, 0);
+    }
+
+private:
+    QTimer m_tick;
+    QElapsedTimer m_clock;
+    qint64 m_longest = 0;
+};
+
+/// A sausage bent up and aside like a banana, 80 mm long.
+IndexedMesh banana() {
+    IndexedMesh mesh = test::sphere({0, 0, 0}, 1, 7);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Eigen::Vector3d x = mesh.point(v).cwiseProduct(Eigen::Vector3d(40, 10, 10));
+        mesh.V.row(v) << x.x(), x.y() + 0.004 * x.x() * x.x(), x.z() + 0.006 * x.x() * x.x();
+    }
+    return mesh;
+}
+
+void drag(PartView& view, QPoint from, QPoint way, Qt::MouseButton button, Qt::KeyboardModifiers keys) {
+    QTest::mousePress(&view, button, keys, from);
+    for (int step = 1; step <= 20; ++step) {
+        const QPoint at = from + way * step / 20;
+        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, button, keys);
+        QApplication::sendEvent(&view, &move);
+        QTest::qWait(16);
+    }
+    QTest::mouseRelease(&view, button, keys, from + way);
+}
+
+void measure(const char* what, LongestGap& gap, test::WindowDriver& driver,
+             const std::function<void()>& act) {
+    driver.waitIdle();
+    QTest::qWait(500);
+    (void)gap.take();
+    act();
+    driver.waitIdle();
+    QTest::qWait(300);
+    std::printf("%-28s longest gap %5lld ms\n", what, static_cast<long long>(gap.take()));
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    const QApplication application(argc, argv);
+    prepareApplication();
+    test::WindowDriver driver;
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "banana.ply";
+    if (!writeMesh(file, banana(), MeshFormat::Ply))
+        return 1;
+    LongestGap gap;
+    PartView& view = driver.window().view();
+    const QPoint middle(view.width() / 2, view.height() / 2);
+    driver.openMesh(QString::fromStdString(file.string()), 80);
+    std::printf("opened                       longest gap %5lld ms\n", static_cast<long long>(gap.take()));
+    measure("orbit", gap, driver, [&] { drag(view, middle, {80, 20}, Qt::MiddleButton, Qt::ShiftModifier); });
+    measure("drag the plane", gap, driver,
+            [&] { drag(view, view.gripPixel(scene::Grip::SlidePlane), {0, -40}, Qt::LeftButton, {}); });
+    measure("drag a direction", gap, driver,
+            [&] { drag(view, view.gripPixel(scene::Grip::Direction1), {40, 0}, Qt::LeftButton, {}); });
+    measure("undo", gap, driver, [&] { driver.press("Ctrl+Z"); });
+    measure("turn by 90°", gap, driver,
+            [&] { driver.window().actions()[QStringLiteral("turn-x")]->trigger(); });
+    measure("draft map", gap, driver, [&] { driver.press("D"); });
+    measure("dark theme", gap, driver,
+            [&] { driver.window().actions()[QStringLiteral("theme-dark")]->trigger(); });
+    QElapsedTimer clock;
+    clock.start();
+    for (int i = 0; i < 5; ++i)
+        (void)view.grabFramebuffer();
+    std::printf("one picture                  %5lld ms\n", static_cast<long long>(clock.elapsed() / 5));
+    driver.window().actions()[QStringLiteral("theme-light")]->trigger();
+    return 0;
+}
