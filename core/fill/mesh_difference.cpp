@@ -59,12 +59,13 @@ void findCommon(const std::array<const PartedMesh*, 2>& meshes, MeshDifference& 
                 keyOf(difference.faces[m], f, meshes[m]->labels[static_cast<std::size_t>(f)]), f);
         std::sort(keys[m].begin(), keys[m].end());
     }
-    for (std::size_t i = 0, j = 0; i < keys[0].size() && j < keys[1].size();) {
-        if (keys[0][i].first == keys[1][j].first) {
-            difference.patchOf[0][static_cast<std::size_t>(keys[0][i++].second)] = -1;
-            difference.patchOf[1][static_cast<std::size_t>(keys[1][j++].second)] = -1;
-        } else {
-            ++(keys[0][i].first < keys[1][j].first ? i : j);
+    std::size_t other = 0;
+    for (const auto& [key, f] : keys[0]) {
+        while (other < keys[1].size() && keys[1][other].first < key)
+            ++other;
+        if (other < keys[1].size() && keys[1][other].first == key) {
+            difference.patchOf[0][static_cast<std::size_t>(f)] = -1;
+            difference.patchOf[1][static_cast<std::size_t>(keys[1][other].second)] = -1;
         }
     }
 }

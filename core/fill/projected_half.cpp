@@ -5,28 +5,102 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace moldwright {
 
 namespace {
 
-/// Numbers points with equal shadows alike, in the order of their coordinates.
-void mergeShadows(const std::vector<int>& points, const std::vector<Eigen::Vector2d>& shadows,
-                  ProjectedHalf& half) {
-    std::vector<int> order = points;
-    const auto shadow = [&](int v) -> const Eigen::Vector2d& { return shadows[static_cast<std::size_t>(v)]; };
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-        const Eigen::Vector2d& p = shadow(a);
-        const Eigen::Vector2d& q = shadow(b);
-        return std::make_tuple(p.x(), p.y(), a) < std::make_tuple(q.x(), q.y(), b);
-    });
-    for (const int v : order) {
-        if (half.nodes.empty() || half.nodes.back() != shadow(v))
-            half.nodes.push_back(shadow(v));
-        half.nodeOf[static_cast<std::size_t>(v)] = static_cast<int>(half.nodes.size()) - 1;
+/// The half under construction: its points' shadows and heights, and which faces were taken in.
+class Projection {
+public:
+    Projection(const PartedMesh& part, int side, const ShadowGrid& grid) : m_part(part), m_side(side) {
+        for (int v = 0; v < part.mesh.vertexCount(); ++v) {
+            m_shadows.push_back(grid.shadow(part.mesh.point(v), side));
+            m_heights.push_back(grid.height(part.mesh.point(v), side));
+        }
+        m_half.nodeOf.assign(m_shadows.size(), -1);
+        m_faceNumber.assign(static_cast<std::size_t>(part.mesh.faceCount()), -1);
     }
-}
+
+    ProjectedHalf make() {
+        takeFaces();
+        mergeShadows();
+        for (std::size_t f = 0; f < m_corners.size(); ++f)
+            for (std::size_t k = 0; k < 3; ++k)
+                m_half.faces[f].node[k] = m_half.nodeOf[static_cast<std::size_t>(m_corners[f][k])];
+        takeEdges();
+        return std::move(m_half);
+    }
+
+private:
+    [[nodiscard]] const Eigen::Vector2d& shadow(int v) const {
+        return m_shadows[static_cast<std::size_t>(v)];
+    }
+    [[nodiscard]] double height(int v) const { return m_heights[static_cast<std::size_t>(v)]; }
+    [[nodiscard]] int& node(int v) { return m_half.nodeOf[static_cast<std::size_t>(v)]; }
+
+    void takeFaces() {
+        const Triangles& F = m_part.mesh.F;
+        for (int f = 0; f < m_part.mesh.faceCount(); ++f) {
+            // Mirroring turned side 2's faces over.
+            const std::array<int, 3> c = {F(f, 0), F(f, m_side == 1 ? 1 : 2), F(f, m_side == 1 ? 2 : 1)};
+            const bool inPlane = height(c[0]) == 0 && height(c[1]) == 0 && height(c[2]) == 0;
+            if (m_part.labels[static_cast<std::size_t>(f)] != m_side || inPlane ||
+                !(doubleArea(shadow(c[0]), shadow(c[1]), shadow(c[2])) > 0))
+                continue;
+            m_faceNumber[static_cast<std::size_t>(f)] = static_cast<int>(m_corners.size());
+            m_corners.push_back(c);
+            m_half.faces.push_back({{}, {height(c[0]), height(c[1]), height(c[2])}, f});
+        }
+    }
+
+    /// Numbers the taken faces' points; those with equal shadows alike, in the order of their coordinates.
+    void mergeShadows() {
+        std::vector<int> order;
+        for (const auto& corners : m_corners)
+            order.insert(order.end(), corners.begin(), corners.end());
+        std::sort(order.begin(), order.end(), [&](int a, int b) {
+            const Eigen::Vector2d& p = shadow(a);
+            const Eigen::Vector2d& q = shadow(b);
+            return std::tuple(p.x(), p.y(), a) < std::tuple(q.x(), q.y(), b);
+        });
+        for (const int v : order) {
+            if (m_half.nodes.empty() || m_half.nodes.back() != shadow(v)) {
+                m_half.nodes.push_back(shadow(v));
+                m_half.inPlane.push_back(0);
+            }
+            node(v) = static_cast<int>(m_half.nodes.size()) - 1;
+            if (height(v) == 0)
+                m_half.inPlane.back() = 1;
+        }
+    }
+
+    void takeEdges() {
+        const EdgeTable table(m_part.mesh.F);
+        for (int e = 0; e < table.edgeCount(); ++e) {
+            ShadowEdge edge;
+            std::size_t known = 0;
+            for (const FaceSide& s : table.sidesAt(e)) {
+                if (const int f = m_faceNumber[static_cast<std::size_t>(s.face)]; f >= 0 && known < 2)
+                    edge.face[known++] = f;
+                edge.node = {node(s.low), node(s.high)};
+                edge.height = {height(s.low), height(s.high)};
+            }
+            if (known > 0)
+                m_half.edges.push_back(edge);
+        }
+    }
+
+    const PartedMesh& m_part;
+    int m_side;
+    std::vector<Eigen::Vector2d> m_shadows;
+    std::vector<double> m_heights;
+    std::vector<int> m_faceNumber;             ///< per face of the part, −1: not taken
+    std::vector<std::array<int, 3>> m_corners; ///< of the faces taken
+    ProjectedHalf m_half;
+};
 
 } // namespace
 
@@ -61,64 +135,7 @@ Eigen::Vector3d ShadowGrid::place(const Eigen::Vector2d& shadow, double height, 
 }
 
 ProjectedHalf projectHalf(const PartedMesh& part, int side, const ShadowGrid& grid) {
-    const IndexedMesh& mesh = part.mesh;
-    const auto vertices = static_cast<std::size_t>(mesh.vertexCount());
-    std::vector<Eigen::Vector2d> shadows(vertices);
-    std::vector<double> heights(vertices);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        shadows[static_cast<std::size_t>(v)] = grid.shadow(mesh.point(v), side);
-        heights[static_cast<std::size_t>(v)] = grid.height(mesh.point(v), side);
-    }
-
-    ProjectedHalf half;
-    half.nodeOf.assign(vertices, -1);
-    std::vector<int> faceNumber(static_cast<std::size_t>(mesh.faceCount()), -1);
-    std::vector<std::array<int, 3>> corners;
-    std::vector<char> used(vertices, 0);
-    for (int f = 0; f < mesh.faceCount(); ++f) {
-        // Mirroring turned side 2's faces over.
-        const std::array<int, 3> c = {mesh.F(f, 0), mesh.F(f, side == 1 ? 1 : 2),
-                                      mesh.F(f, side == 1 ? 2 : 1)};
-        const auto at = [&](std::size_t k) { return static_cast<std::size_t>(c[k]); };
-        const bool inPlane = heights[at(0)] == 0 && heights[at(1)] == 0 && heights[at(2)] == 0;
-        if (part.labels[static_cast<std::size_t>(f)] != side || inPlane ||
-            !(doubleArea(shadows[at(0)], shadows[at(1)], shadows[at(2)]) > 0))
-            continue;
-        faceNumber[static_cast<std::size_t>(f)] = static_cast<int>(corners.size());
-        corners.push_back(c);
-        half.faces.push_back({{}, {heights[at(0)], heights[at(1)], heights[at(2)]}, f});
-        for (const int v : c)
-            used[static_cast<std::size_t>(v)] = 1;
-    }
-    std::vector<int> points;
-    for (std::size_t v = 0; v < vertices; ++v)
-        if (used[v])
-            points.push_back(static_cast<int>(v));
-    mergeShadows(points, shadows, half);
-    half.inPlane.assign(half.nodes.size(), 0);
-    for (const int v : points)
-        if (heights[static_cast<std::size_t>(v)] == 0)
-            half.inPlane[static_cast<std::size_t>(half.nodeOf[static_cast<std::size_t>(v)])] = 1;
-    for (std::size_t f = 0; f < corners.size(); ++f)
-        for (std::size_t k = 0; k < 3; ++k)
-            half.faces[f].node[k] = half.nodeOf[static_cast<std::size_t>(corners[f][k])];
-
-    const EdgeTable table(mesh.F);
-    for (int e = 0; e < table.edgeCount(); ++e) {
-        ShadowEdge edge;
-        std::size_t known = 0;
-        for (const FaceSide& s : table.sidesAt(e)) {
-            if (const int f = faceNumber[static_cast<std::size_t>(s.face)]; f >= 0 && known < 2)
-                edge.face[known++] = f;
-            edge.node = {half.nodeOf[static_cast<std::size_t>(s.low)],
-                         half.nodeOf[static_cast<std::size_t>(s.high)]};
-            edge.height = {heights[static_cast<std::size_t>(s.low)],
-                           heights[static_cast<std::size_t>(s.high)]};
-        }
-        if (known > 0)
-            half.edges.push_back(edge);
-    }
-    return half;
+    return Projection(part, side, grid).make();
 }
 
 double heightAt(const ProjectedHalf& half, const ShadowFace& face, const Eigen::Vector2d& p) {

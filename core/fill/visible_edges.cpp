@@ -164,15 +164,8 @@ private:
     std::unordered_map<std::int64_t, int> m_numbers;
 };
 
-struct Mark {
-    double t = 0;
-    int node = 0;
-};
-
-} // namespace
-
-VisibleEdges findVisibleEdges(const ProjectedHalf& half, const FaceGrid& grid) {
-    const std::vector<Passing> passings = findPassings(half);
+std::vector<Sight> allSights(const ProjectedHalf& half, const FaceGrid& grid,
+                             const std::vector<Passing>& passings) {
     std::vector<std::vector<double>> cuts(half.edges.size());
     for (const Passing& passing : passings)
         cuts[static_cast<std::size_t>(passing.under)].push_back(passing.tUnder);
@@ -181,14 +174,23 @@ VisibleEdges findVisibleEdges(const ProjectedHalf& half, const FaceGrid& grid) {
         for (std::size_t e = begin; e < end; ++e)
             sights[e] = sightOf(half, grid, half.edges[e], std::move(cuts[e]));
     });
+    return sights;
+}
 
-    VisibleEdges result;
+/// A node along an edge.
+struct Mark {
+    double t = 0;
+    int node = 0;
+};
+
+/// Puts a node wherever an edge comes into sight or vanishes, on it and on what hides it.
+std::vector<std::vector<Mark>> markEdges(const ProjectedHalf& half, const std::vector<Passing>& passings,
+                                         const std::vector<Sight>& sights, VisibleEdges& result) {
     Nodes nodes(half);
     std::vector<std::vector<Mark>> marks(half.edges.size());
     for (std::size_t e = 0; e < half.edges.size(); ++e)
         marks[e] = {{0, half.edges[e].node[0]}, {1, half.edges[e].node[1]}};
     for (const Passing& passing : passings) {
-        const auto over = static_cast<std::size_t>(passing.over);
         const auto under = static_cast<std::size_t>(passing.under);
         if (!changesAt(sights[under], passing.tUnder))
             continue;
@@ -197,12 +199,24 @@ VisibleEdges findVisibleEdges(const ProjectedHalf& half, const FaceGrid& grid) {
             half.end(edge, 0) + passing.tUnder * (half.end(edge, 1) - half.end(edge, 0));
         const int node = nodes.at(p.array().round());
         marks[under].push_back({passing.tUnder, node});
-        marks[over].push_back({passing.tOver, node});
+        marks[static_cast<std::size_t>(passing.over)].push_back({passing.tOver, node});
         if (node >= static_cast<int>(half.nodes.size())) {
             result.nodeOnEdge.emplace_back(node, passing.under);
             result.nodeOnEdge.emplace_back(node, passing.over);
         }
     }
+    std::sort(result.nodeOnEdge.begin(), result.nodeOnEdge.end());
+    result.nodes = nodes.take();
+    return marks;
+}
+
+} // namespace
+
+VisibleEdges findVisibleEdges(const ProjectedHalf& half, const FaceGrid& grid) {
+    const std::vector<Passing> passings = findPassings(half);
+    const std::vector<Sight> sights = allSights(half, grid, passings);
+    VisibleEdges result;
+    std::vector<std::vector<Mark>> marks = markEdges(half, passings, sights, result);
     for (std::size_t e = 0; e < half.edges.size(); ++e) {
         std::stable_sort(marks[e].begin(), marks[e].end(),
                          [](const Mark& a, const Mark& b) { return a.t < b.t; });
@@ -213,8 +227,6 @@ VisibleEdges findVisibleEdges(const ProjectedHalf& half, const FaceGrid& grid) {
                 result.segments.push_back({from.node, to.node});
         }
     }
-    std::sort(result.nodeOnEdge.begin(), result.nodeOnEdge.end());
-    result.nodes = nodes.take();
     return result;
 }
 

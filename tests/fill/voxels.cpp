@@ -6,6 +6,22 @@
 
 namespace moldwright::test {
 
+namespace {
+
+IndexedMesh meshOf(const std::vector<std::array<int, 3>>& points,
+                   const std::vector<std::array<int, 3>>& faces) {
+    IndexedMesh mesh;
+    mesh.V.resize(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t v = 0; v < points.size(); ++v)
+        mesh.V.row(static_cast<Eigen::Index>(v)) << points[v][0], points[v][1], points[v][2];
+    mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        mesh.F.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
+    return mesh;
+}
+
+} // namespace
+
 IndexedMesh voxels(const std::vector<std::array<int, 3>>& cubes) {
     const std::set<std::array<int, 3>> full(cubes.begin(), cubes.end());
     std::map<std::array<int, 3>, int> number;
@@ -38,14 +54,7 @@ IndexedMesh voxels(const std::vector<std::array<int, 3>>& cubes) {
                 faces.push_back({c[0], c[1], c[2]});
                 faces.push_back({c[0], c[2], c[3]});
             }
-    IndexedMesh mesh;
-    mesh.V.resize(static_cast<Eigen::Index>(points.size()), 3);
-    for (std::size_t v = 0; v < points.size(); ++v)
-        mesh.V.row(static_cast<Eigen::Index>(v)) << points[v][0], points[v][1], points[v][2];
-    mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-        mesh.F.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
-    return mesh;
+    return meshOf(points, faces);
 }
 
 } // namespace moldwright::test
