@@ -3,6 +3,8 @@
 
 #include "base/parallel.h"
 
+#include <algorithm>
+
 namespace moldwright {
 
 namespace {
@@ -13,13 +15,15 @@ constexpr double kShift = 1e-7;
 
 PlaneSystem::PlaneSystem(const Eigen::SparseMatrix<double>& pattern, std::vector<char> held)
     : m_held(std::move(held)) {
-    parallelFor(2, 1, [&](std::size_t i, std::size_t) { (i == 0 ? m_xy : m_z).analyze(pattern); });
+    m_xy.analyze(pattern);
+    if (std::any_of(m_held.begin(), m_held.end(), [](char h) { return h != 0; }))
+        m_z.emplace().analyzeLike(m_xy);
 }
 
 bool PlaneSystem::factor(const Eigen::SparseMatrix<double>& A) {
     m_shift = kShift * A.diagonal().mean();
-    bool done[2] = {false, false};
-    parallelFor(2, 1, [&](std::size_t i, std::size_t) {
+    bool done[2] = {false, !m_z};
+    parallelFor(m_z ? 2 : 1, 1, [&](std::size_t i, std::size_t) {
         Eigen::SparseMatrix<double> shifted = A;
         for (int c = 0; c < shifted.outerSize(); ++c)
             for (Eigen::SparseMatrix<double>::InnerIterator entry(shifted, c); entry; ++entry) {
@@ -29,12 +33,14 @@ bool PlaneSystem::factor(const Eigen::SparseMatrix<double>& A) {
                 else if (entry.row() == c)
                     entry.valueRef() += m_shift;
             }
-        done[i] = (i == 0 ? m_xy : m_z).factor(shifted);
+        done[i] = (i == 0 ? m_xy : *m_z).factor(shifted);
     });
     return done[0] && done[1];
 }
 
 Positions PlaneSystem::solve(const Positions& B) const {
+    if (!m_z)
+        return m_xy.solve(B);
     Positions X(B.rows(), 3);
     parallelFor(2, 1, [&](std::size_t i, std::size_t) {
         if (i == 0) {
@@ -45,7 +51,7 @@ Positions PlaneSystem::solve(const Positions& B) const {
         for (std::size_t v = 0; v < m_held.size(); ++v)
             if (m_held[v])
                 z[static_cast<Eigen::Index>(v)] = 0;
-        X.col(2) = m_z.solve(z);
+        X.col(2) = m_z->solve(z);
     });
     return X;
 }

@@ -4,13 +4,15 @@
 #include "deformation/elastic_body.h"
 #include "deformation/sparse_solver.h"
 
+#include <optional>
 #include <vector>
 
 namespace moldwright {
 
 /// A linear system for positions in the plane's frame, some points held in the plane: x and y solve with A, z
 /// with A where the rows and columns of held points are the identity's (a pin, or a point of the parting
-/// line, is the row z = 0). Both matrices share their pattern, so each is analysed once.
+/// line, is the row z = 0). Both matrices share their pattern, which is analysed once; where no point is held
+/// they are one and factored once.
 class PlaneSystem {
 public:
     /// `pattern`: lower triangle; `held`: 1 for points held at z = 0.
@@ -27,12 +29,13 @@ public:
     [[nodiscard]] double shift() const { return m_shift; }
 
     [[nodiscard]] const std::vector<char>& held() const { return m_held; }
-    [[nodiscard]] double factorBytes() const { return m_xy.factorBytes() + m_z.factorBytes(); }
+    /// Bytes that a solve streams through memory twice.
+    [[nodiscard]] double factorBytes() const { return m_xy.factorBytes() + (m_z ? m_z->factorBytes() : 0); }
 
 private:
     std::vector<char> m_held;
     SparseSolver m_xy;
-    SparseSolver m_z;
+    std::optional<SparseSolver> m_z; ///< none: z solves with m_xy
     double m_shift = 0;
 };
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "deformation/sparse_solver.h"
 
+#include "deformation/supernodal_solve.h"
+
 #include <Eigen/SparseCholesky>
 #include <cholmod.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 
@@ -44,16 +47,18 @@ cholmod_sparse viewOf(const Eigen::SparseMatrix<double>& A) {
     return view;
 }
 
-cholmod_dense viewOf(const Eigen::Ref<const Eigen::MatrixXd>& B) {
-    cholmod_dense view{};
-    view.nrow = static_cast<std::size_t>(B.rows());
-    view.ncol = static_cast<std::size_t>(B.cols());
-    view.d = static_cast<std::size_t>(B.outerStride());
-    view.nzmax = view.d * view.ncol;
-    view.x = const_cast<double*>(B.data());
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    return view;
+/// What our own solve reads of a factor; nothing when CHOLMOD chose to have no supernodes.
+std::optional<SupernodalFactor> viewOf(const cholmod_factor* factor) {
+    if (!factor || !factor->is_super || factor->xtype != CHOLMOD_REAL)
+        return std::nullopt;
+    return SupernodalFactor{static_cast<int>(factor->n),
+                            static_cast<int>(factor->nsuper),
+                            static_cast<const int*>(factor->super),
+                            static_cast<const int*>(factor->pi),
+                            static_cast<const int*>(factor->px),
+                            static_cast<const int*>(factor->s),
+                            static_cast<const double*>(factor->x),
+                            static_cast<const int*>(factor->Perm)};
 }
 
 } // namespace
@@ -61,9 +66,6 @@ cholmod_dense viewOf(const Eigen::Ref<const Eigen::MatrixXd>& B) {
 struct SparseSolver::State {
     cholmod_common common{};
     cholmod_factor* factor = nullptr;
-    cholmod_dense* solution = nullptr; // kept between solves: CHOLMOD reuses their memory
-    cholmod_dense* workY = nullptr;
-    cholmod_dense* workE = nullptr;
     std::optional<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower>> fallback;
 
     State() {
@@ -78,9 +80,6 @@ struct SparseSolver::State {
     State& operator=(const State&) = delete;
     ~State() {
         cholmod_free_factor(&factor, &common);
-        cholmod_free_dense(&solution, &common);
-        cholmod_free_dense(&workY, &common);
-        cholmod_free_dense(&workE, &common);
         cholmod_finish(&common);
     }
 };
@@ -101,13 +100,20 @@ void SparseSolver::analyze(const Eigen::SparseMatrix<double>& A) {
     s.factor = cholmod_analyze(&view, &s.common);
 }
 
+void SparseSolver::analyzeLike(const SparseSolver& other) {
+    State& s = *m_state;
+    cholmod_free_factor(&s.factor, &s.common);
+    s.fallback.reset();
+    s.factor = cholmod_copy_factor(other.m_state->factor, &s.common);
+}
+
 bool SparseSolver::factor(const Eigen::SparseMatrix<double>& A) {
     State& s = *m_state;
     holdToOneThread();
     if (!s.fallback) {
         cholmod_sparse view = viewOf(A);
-        const bool done =
-            s.factor && cholmod_factorize(&view, s.factor, &s.common) && s.common.status == CHOLMOD_OK;
+        const bool done = s.factor && cholmod_factorize(&view, s.factor, &s.common) &&
+                          s.common.status == CHOLMOD_OK && viewOf(s.factor);
         if (done) {
             const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(A.rows(), -1, 1);
             const Eigen::VectorXd x = solve(b);
@@ -123,13 +129,17 @@ bool SparseSolver::factor(const Eigen::SparseMatrix<double>& A) {
 }
 
 Eigen::MatrixXd SparseSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& B) const {
-    State& s = *m_state;
+    const State& s = *m_state;
     if (s.fallback)
         return s.fallback->solve(B);
-    holdToOneThread();
-    cholmod_dense view = viewOf(B);
-    cholmod_solve2(CHOLMOD_A, s.factor, &view, nullptr, &s.solution, nullptr, &s.workY, &s.workE, &s.common);
-    return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(s.solution->x), B.rows(), B.cols());
+    const std::optional<SupernodalFactor> factor = viewOf(s.factor);
+    const Eigen::MatrixXd rhs = B;
+    Eigen::MatrixXd X(B.rows(), B.cols());
+    for (Eigen::Index c = 0; c < B.cols(); c += 3)
+        solveSupernodal(*factor, rhs.col(c).data(), X.col(c).data(),
+                        static_cast<int>(std::min<Eigen::Index>(3, B.cols() - c)),
+                        static_cast<int>(B.rows()));
+    return X;
 }
 
 bool SparseSolver::fellBack() const {

@@ -10,9 +10,9 @@ namespace moldwright {
 
 /// Solves with a symmetric positive definite matrix whose pattern stays and whose numbers change: analysed
 /// once (METIS), factored often (CHOLMOD, supernodal, one BLAS thread: the same bits on any number of
-/// threads), solved oftener. Each factorisation is tried on one right-hand side; if its residual is poor
-/// (some OpenBLAS kernels miscompute), or CHOLMOD fails, Eigen's factorisation takes over for good. Not
-/// thread-safe; different solvers may work in different threads.
+/// threads), solved oftener, in vector code of our own. Each factorisation is tried on one right-hand side;
+/// if its residual is poor (some OpenBLAS kernels miscompute), or CHOLMOD fails, Eigen's factorisation takes
+/// over for good. Not thread-safe; different solvers may work in different threads.
 class SparseSolver {
 public:
     SparseSolver();
@@ -22,6 +22,9 @@ public:
 
     /// Takes the pattern of the lower triangle of A (compressed columns, rows ascending).
     void analyze(const Eigen::SparseMatrix<double>& A);
+
+    /// Takes over the analysis of another solver for the same pattern.
+    void analyzeLike(const SparseSolver& other);
 
     /// Factors A, which has the analysed pattern. False when A is not positive definite.
     [[nodiscard]] bool factor(const Eigen::SparseMatrix<double>& A);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "deformation/sparse_solver.h"
 
+#include "base/vector_code.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -53,6 +55,29 @@ TEST_F(Solver, SolvesARandomSystem) {
     ASSERT_TRUE(m_solver.factor(m_A));
     EXPECT_LT(residual(m_A, m_solver.solve(m_B), m_B), 1e-12);
     EXPECT_GE(m_solver.factorBytes(), 8.0 * 400);
+}
+
+TEST_F(Solver, AnyNumberOfRightHandSidesAlikeForAnyVectorWidth) {
+    ASSERT_TRUE(m_solver.factor(m_A));
+    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(400, 5);
+    const Eigen::MatrixXd X = m_solver.solve(B);
+    for (const int columns : {1, 2, 3})
+        EXPECT_TRUE(m_solver.solve(B.leftCols(columns)).isApprox(X.leftCols(columns), 1e-13));
+    for (const VectorCode code : {VectorCode::Plain, VectorCode::Avx2, VectorCode::Avx512}) {
+        limitVectorCode(code);
+        EXPECT_EQ(m_solver.solve(B), X);
+    }
+}
+
+TEST_F(Solver, TakesOverTheAnalysisOfAnother) {
+    ASSERT_TRUE(m_solver.factor(m_A));
+    SparseSolver other;
+    other.analyzeLike(m_solver);
+    const Matrix twice = 2 * m_A;
+    ASSERT_TRUE(other.factor(twice));
+    EXPECT_FALSE(other.fellBack());
+    EXPECT_LT(residual(twice, other.solve(m_B), m_B), 1e-12);
+    EXPECT_LT(residual(m_A, m_solver.solve(m_B), m_B), 1e-12);
 }
 
 TEST_F(Solver, FactorsNewNumbersInTheSamePattern) {
