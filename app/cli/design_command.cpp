@@ -100,8 +100,8 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
 Project projectOf(const DesignOptions& options, const IndexedMesh& source, const Placement& placement,
                   const DesignRequest& request, const DesignResult& result) {
     Project project;
-    project.design = {request.draftDegrees, request.maxTiltDegrees, request.directionsChoice, request.method,
-                      request.seed};
+    project.design = {request.draftDegrees, request.maxTiltDegrees, request.directionsChoice,
+                      request.method,       request.fill,           request.seed};
     project.mold = options.block;
     const std::filesystem::path file(options.input);
     project = withPart(std::move(project), file.stem().string(), file.filename().string(),

@@ -24,6 +24,7 @@ constexpr int kRoundingAttempts = 3;    ///< finishes with ever coarser clean-up
 constexpr int kPinSteps = 12;        ///< plastic steps that bring pins to the plane before the part is split
 constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
 constexpr double kLimbVolume = 0.75; ///< share of its volume
+constexpr double kMuchLost = 0.25;   ///< missing shares, summed, from which filling is tried beside bending
 
 /// Size of a float's rounding step at the part's largest coordinate, mm.
 double floatStep(const IndexedMesh& part) {
@@ -134,7 +135,10 @@ struct Tries {
             best = std::move(*result);
     }
     [[nodiscard]] bool good() const { return best && best->castable && limbsLost(*best) == 0; }
-    [[nodiscard]] bool castable() const { return best && best->castable; }
+    /// Castable, but only by giving up a limb, or not castable at all.
+    [[nodiscard]] bool wantsFilling() const {
+        return !best || !best->castable || limbsLost(*best) > kMuchLost;
+    }
 };
 
 Tries tryStates(const IndexedMesh& shape, const std::vector<MoldState>& states, DesignRun& run) {
@@ -178,7 +182,7 @@ Result<DesignResult> designByBending(DesignRun& run) {
     if (!states)
         return std::unexpected(states.error());
     Tries tries = tryStates(*shape, states->passing, run);
-    if (request.fill == FillChoice::Auto && !tries.castable() && !run.stopped())
+    if (request.fill == FillChoice::Auto && tries.wantsFilling() && !run.stopped())
         tries.take(tryFilling(*shape, states->passing.empty() ? states->best : states->passing.front(),
                               run.task().part(0.95, 1), run));
     if (!tries.best) {

@@ -33,6 +33,7 @@ struct DesignSettings {
     double maxTiltDegrees = 30;
     DirectionsChoice directionsChoice = DirectionsChoice::Automatic;
     DeformationMethod method = DeformationMethod::Default;
+    FillChoice fill = FillChoice::Auto;
     unsigned seed = 1;
 
     bool operator==(const DesignSettings&) const = default;

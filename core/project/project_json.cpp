@@ -18,6 +18,7 @@ using Eigen::Vector3d;
 constexpr std::array<std::string_view, 4> unitNames = {"mm", "cm", "m", "in"};
 constexpr std::array<std::string_view, 3> directionsNames = {"automatic", "normal", "given"};
 constexpr std::array<std::string_view, 2> methodNames = {"default", "paper"};
+constexpr std::array<std::string_view, 2> fillNames = {"none", "auto"};
 
 template <class E, std::size_t N>
 Json nameOf(E value, const std::array<std::string_view, N>& names) {
@@ -72,12 +73,19 @@ Json json(const DesignSettings& design) {
             {"max_tilt_deg", design.maxTiltDegrees},
             {"directions", nameOf(design.directionsChoice, directionsNames)},
             {"method", nameOf(design.method, methodNames)},
+            {"fill", nameOf(design.fill, fillNames)},
             {"seed", design.seed}};
 }
 DesignSettings designSettings(const Json& j) {
-    return {j.at("draft_deg").get<double>(), j.at("max_tilt_deg").get<double>(),
-            valueOf<DirectionsChoice>(j.at("directions"), directionsNames),
-            valueOf<DeformationMethod>(j.at("method"), methodNames), j.at("seed").get<unsigned>()};
+    DesignSettings design{j.at("draft_deg").get<double>(),
+                          j.at("max_tilt_deg").get<double>(),
+                          valueOf<DirectionsChoice>(j.at("directions"), directionsNames),
+                          valueOf<DeformationMethod>(j.at("method"), methodNames),
+                          {},
+                          j.at("seed").get<unsigned>()};
+    // Files written before filling existed do not name it.
+    design.fill = j.contains("fill") ? valueOf<FillChoice>(j.at("fill"), fillNames) : FillChoice::Auto;
+    return design;
 }
 
 Json json(const MoldSettings& mold) {

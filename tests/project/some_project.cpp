@@ -34,7 +34,7 @@ Project someProject() {
     placement.motion.translate(Eigen::Vector3d(0.1, 1.0 / 3, -7));
     Project project =
         withPart({}, "Box ∅ 20", "box.stl", std::make_shared<const IndexedMesh>(cast.mesh), placement);
-    project.design = {2.5, 20, DirectionsChoice::Given, DeformationMethod::Paper, 7};
+    project.design = {2.5, 20, DirectionsChoice::Given, DeformationMethod::Paper, FillChoice::None, 7};
     project.pins = {{{0.1, 0.2, 0.3}}, {{-1, 2, 1e-17}}};
     project.faceWeights.assign(static_cast<std::size_t>(cast.mesh.faceCount()), 1.1);
     project.mold = {4, 3, 6, 0.5, 12};
