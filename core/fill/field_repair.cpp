@@ -131,6 +131,7 @@ std::optional<Gap> narrowestGap(const HeightField& field, Vertex v, const std::v
 void closeGap(HeightField& field, Vertex v, const std::vector<Face>& fan, const Gap& gap, double level) {
     const TriangleMesh& mesh = field.mesh();
     std::vector<Vertex> spokes;
+    spokes.reserve(gap.count + 1);
     for (std::size_t i = 0; i < gap.count; ++i)
         spokes.push_back(mesh.to_vertex_handle(
             mesh.next_halfedge_handle(field.corner(fan[(gap.first + i) % fan.size()], v))));
@@ -140,6 +141,7 @@ void closeGap(HeightField& field, Vertex v, const std::vector<Face>& fan, const 
         reach = std::min(reach, kReach * (field.point(x) - field.point(v)).norm());
 
     std::vector<Vertex> ends;
+    ends.reserve(spokes.size());
     for (const Vertex x : spokes)
         ends.push_back(field.split(mesh.edge_handle(mesh.find_halfedge(v, x)),
                                    field.point(v) + reach * (field.point(x) - field.point(v)).normalized()));
@@ -163,6 +165,7 @@ void closeGap(HeightField& field, Vertex v, const std::vector<Face>& fan, const 
 bool closeGapAt(HeightField& field, Vertex v) {
     const std::vector<Face> fan = field.fan(v);
     std::vector<double> heights;
+    heights.reserve(fan.size());
     for (const Face f : fan)
         heights.push_back(field.height(field.corner(f, v)));
     std::vector<double> levels = heights;

@@ -255,6 +255,7 @@ Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions, 
     numberByVolume(plan.difference, kNothing * volume(part.mesh));
     std::vector<Patch> patches = patchesOf(plan.difference);
     patches.pop_back();
+    plan.regions.reserve(patches.size());
     for (const Patch& patch : patches)
         plan.regions.push_back(describe(plan, patch));
     markNeeded(plan);

@@ -74,7 +74,7 @@ bool HeightField::splitKeepsOrder(Edge e, const Eigen::Vector2d& p) const {
 HeightField::Vertex HeightField::split(Edge e, const Eigen::Vector2d& p) {
     // Per side of the edge: its far corner, and the heights of the triangle there.
     struct Side {
-        Vertex far{};
+        Vertex far;
         double atFar = 0;
         double atFrom = 0;
         double atTo = 0;

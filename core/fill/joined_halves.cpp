@@ -82,6 +82,7 @@ std::vector<Cap> capsBetween(const PlanarTriangulation& plane, const std::array<
 std::vector<Cap> crossOutlines(std::array<HeightField, 2>& halves, PlanePoints& points) {
     const std::vector<OutlineEdge> outlines = outlinesOf(halves);
     std::vector<std::array<int, 2>> segments;
+    segments.reserve(outlines.size());
     for (const OutlineEdge& edge : outlines)
         segments.push_back(
             {points.at(halves[edge.half].point(edge.from)), points.at(halves[edge.half].point(edge.to))});

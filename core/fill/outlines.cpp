@@ -46,6 +46,7 @@ std::vector<Touch> findTouches(const std::array<HeightField, 2>& halves, std::si
     std::vector<OutlineEdge> edges = outlinesOf(halves);
     std::erase_if(edges, [&](const OutlineEdge& edge) { return edge.half == half; });
     std::vector<Vertex> candidates;
+    candidates.reserve(points.size());
     IndexedMesh boxes; // points as small triangles, edges as flat ones: what the tree of boxes takes
     boxes.V = Points::Zero(static_cast<Eigen::Index>(2 * points.size() + 2 * edges.size()), 3);
     boxes.F.resize(static_cast<Eigen::Index>(points.size() + edges.size()), 3);

@@ -16,6 +16,8 @@ namespace {
 class Projection {
 public:
     Projection(const PartedMesh& part, int side, const ShadowGrid& grid) : m_part(part), m_side(side) {
+        m_shadows.reserve(static_cast<std::size_t>(part.mesh.vertexCount()));
+        m_heights.reserve(m_shadows.capacity());
         for (int v = 0; v < part.mesh.vertexCount(); ++v) {
             m_shadows.push_back(grid.shadow(part.mesh.point(v), side));
             m_heights.push_back(grid.height(part.mesh.point(v), side));

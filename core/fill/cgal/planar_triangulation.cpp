@@ -99,6 +99,7 @@ CrossedSegments crossSegments(const std::vector<Eigen::Vector2d>& points,
     WithChains triangulation;
     const auto handles = insertPoints(triangulation, points);
     std::vector<WithChains::Constraint_id> ids;
+    ids.reserve(segments.size());
     for (const auto& [from, to] : segments)
         ids.push_back(triangulation.insert_constraint(handles[static_cast<std::size_t>(from)],
                                                       handles[static_cast<std::size_t>(to)]));
