@@ -2,6 +2,7 @@
 #include "fill/fill.h"
 
 #include "base/parallel.h"
+#include "castability/topology.h"
 #include "fill/field_repair.h"
 #include "fill/field_tidy.h"
 #include "fill/joined_halves.h"
@@ -30,6 +31,9 @@ struct Boldness {
 constexpr std::array kRungs = {Boldness{0.1, 0.01, 0.01, 16}, Boldness{0.1, 0.01, 1e-4, 16},
                                Boldness{0.1, 0.01, 0, 16},    Boldness{0.01, 0.001, 1e-4, 16},
                                Boldness{0, 0, 0, 16},         Boldness{0, 0, 0, 1024}};
+
+/// Of the squared size: what an area seen from behind may be and still be rounding.
+constexpr double kRounding = 1e-14;
 
 double meanEdge(const IndexedMesh& mesh) {
     double sum = 0;
@@ -73,10 +77,22 @@ std::vector<int> pointsKept(const PartedMesh& part, const IndexedMesh& mesh, con
     return source;
 }
 
-bool sound(const IndexedMesh& mesh) {
-    const MeshDiagnosis found = diagnose(mesh);
+/// Does every face look along its side's direction, or square to it?
+bool looksOut(const PartedMesh& surface, const Directions& directions) {
+    const double size = diagonal(surface.mesh);
+    for (int f = 0; f < surface.mesh.faceCount(); ++f)
+        if (const int side = surface.labels[static_cast<std::size_t>(f)];
+            doubleAreaVector(surface.mesh, f).dot(directions.of(side)) < -kRounding * size * size)
+            return false;
+    return true;
+}
+
+bool sound(const PartedMesh& surface, const Directions& directions) {
+    if (!looksOut(surface, directions))
+        return false;
+    const MeshDiagnosis found = diagnose(surface.mesh);
     return found.closed && found.manifold && found.oriented && found.degenerateFaces.empty() &&
-           found.selfIntersections.empty();
+           found.selfIntersections.empty() && topologyAllowsCasting(surface.mesh, surface.labels);
 }
 
 } // namespace
@@ -88,7 +104,7 @@ Result<FilledPart> fill(const PartedMesh& part, const Directions& directions, co
             return failure(ErrorCode::Cancelled, MW_TEXT("fill", "Filling was cancelled."));
         FilledPart result;
         result.surface = filled(part, grid, boldness);
-        if (!sound(result.surface.mesh))
+        if (!sound(result.surface, directions))
             continue;
         result.sourceVertex = pointsKept(part, result.surface.mesh, grid);
         result.volume = volume(result.surface.mesh) - volume(part.mesh);

@@ -17,11 +17,13 @@ struct FilledPart {
 };
 
 /// Fills both halves of a parted mesh: everything between a half's outermost surface along its direction and
-/// the plane becomes solid. Closed, manifold, outward, free of self-intersection (checked); on every face of
-/// label i N·d_i ≥ 0, on the walls that filling makes N·d_i = 0, up to rounding: they have no draft yet.
-/// Points move by no more than 1e-7 of the size, to an exact grid. Near-linear; the same for any number of
-/// threads. `part` and directions in the plane's frame. Source of the idea: [Stein 2019], Section 7,
-/// "filling". Errors: Cancelled; Internal where the result does not pass its checks.
+/// the plane becomes solid. The result is closed, manifold, outward, free of self-intersection, and passes
+/// the topological certificate (all checked); on every face of label i N·d_i ≥ 0, on the walls that filling
+/// makes N·d_i = 0, up to rounding: they have no draft yet. Points of the part that are kept lie on an exact
+/// grid, no further than 1e-7 of the size from where they were; walls stand within a hundredth of the part's
+/// mean edge of where the surface turns away. Near-linear; the same for any number of threads. `part` and
+/// directions in the plane's frame. See ARCHITECTURE.md, "Fill". Errors: Cancelled; Internal where no attempt
+/// passes the checks.
 [[nodiscard]] Result<FilledPart> fill(const PartedMesh& part, const Directions& directions,
                                       const Task& task = {});
 

@@ -182,8 +182,9 @@ FilledPart assembled(const FillPlan& plan, const std::vector<char>& marked) {
 }
 
 /// Leaves out as many regions as it can: all of them at once, else the first half, then the second.
-void leaveOut(const FillPlan& plan, std::span<const int> regions, std::vector<char>& marked) {
-    if (regions.empty())
+void leaveOut(const FillPlan& plan, std::span<const int> regions, std::vector<char>& marked,
+              const Task& task) {
+    if (regions.empty() || task.stopped())
         return;
     for (const int region : regions)
         marked[static_cast<std::size_t>(region)] = 0;
@@ -194,16 +195,16 @@ void leaveOut(const FillPlan& plan, std::span<const int> regions, std::vector<ch
         marked[static_cast<std::size_t>(region)] = 1;
     if (regions.size() == 1)
         return;
-    leaveOut(plan, regions.first(regions.size() / 2), marked);
-    leaveOut(plan, regions.subspan(regions.size() / 2), marked);
+    leaveOut(plan, regions.first(regions.size() / 2), marked, task);
+    leaveOut(plan, regions.subspan(regions.size() / 2), marked, task);
 }
 
-void markNeeded(FillPlan& plan) {
+void markNeeded(FillPlan& plan, const Task& task) {
     std::vector<char> marked(static_cast<std::size_t>(plan.difference.patches), 1);
     marked.back() = 0;
     std::vector<int> all(plan.regions.size());
     std::iota(all.begin(), all.end(), 0);
-    leaveOut(plan, all, marked);
+    leaveOut(plan, all, marked, task);
     for (std::size_t r = 0; r < plan.regions.size(); ++r)
         plan.regions[r].needed = marked[r] != 0;
 }
@@ -258,7 +259,9 @@ Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions, 
     plan.regions.reserve(patches.size());
     for (const Patch& patch : patches)
         plan.regions.push_back(describe(plan, patch));
-    markNeeded(plan);
+    markNeeded(plan, task);
+    if (task.stopped())
+        return failure(ErrorCode::Cancelled, MW_TEXT("fill", "Filling was cancelled."));
     return plan;
 }
 
