@@ -42,6 +42,7 @@ void setRotation(Rotations& rotations, int lane, const Eigen::Quaterniond& q) {
 ElasticBody::deformationGradients(const Batch& batch, const BlockNumbers& numbers, MatrixBatch& F) {
     double edge[9][L]; // x_k − x_0, coordinate by coordinate
     for (int i = 0; i < 3; ++i)
+#pragma GCC unroll 1 // unrolled, it would no longer become vector code
         for (int l = 0; l < L; ++l) {
             const double x0 = numbers.x[i][batch.corner[0][l]];
             edge[i][l] = numbers.x[i][batch.corner[1][l]] - x0;
@@ -111,7 +112,7 @@ ElasticBody::removeNormalPart(const Batch& batch, const MatrixBatch& residual, d
         const double a = residual.m[0][l] * x + residual.m[1][l] * y + residual.m[2][l] * z;
         const double b = residual.m[3][l] * x + residual.m[4][l] * y + residual.m[5][l] * z;
         const double c = residual.m[6][l] * x + residual.m[7][l] * y + residual.m[8][l] * z;
-        energies[l] -= square > 0 ? (a * a + b * b + c * c) / square : 0.0;
+        energies[l] -= (a * a + b * b + c * c) / (square > 0 ? square : 1.0);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "deformation/rotation_fit.h"
 
 #include <cmath>
+#include <limits>
 
 namespace moldwright {
 
@@ -31,15 +32,15 @@ struct alignas(64) LaneQuartic {
     [[gnu::always_inline]] inline void solve() {
         for (int i = 0; i < kNewtonSteps; ++i) {
             double moved[L];
+#pragma GCC unroll 1 // unrolled, it would no longer become vector code
             for (int l = 0; l < L; ++l) {
                 const double l2 = lambda[l] * lambda[l];
                 const double value = (l2 + c2[l]) * l2 + c1[l] * lambda[l] + c0[l];
                 const double slope = (4 * l2 + 2 * c2[l]) * lambda[l] + c1[l];
-                const double step = slope > 0 ? value / slope : 0.0;
+                const double step = value / (slope > 0 ? slope : std::numeric_limits<double>::infinity());
                 // A lane that has arrived stays, whatever its neighbours still do.
-                const bool moves = std::abs(step) > kArrived * lambda[l];
-                lambda[l] -= moves ? step : 0.0;
-                moved[l] = moves ? 1.0 : 0.0;
+                moved[l] = std::abs(step) > kArrived * lambda[l] ? 1.0 : 0.0;
+                lambda[l] -= moved[l] * step;
             }
             double moving = 0;
             for (const double lane : moved)

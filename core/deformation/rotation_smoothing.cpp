@@ -12,6 +12,7 @@ namespace moldwright {
 
 namespace {
 
+constexpr double kLeast = 1e-300;
 constexpr std::size_t kGrain = 256;                   ///< batches
 constexpr int kNumbers = 4 * QuaternionBatch::kLanes; ///< in a batch of rotations
 
@@ -62,19 +63,21 @@ void RotationSmoothing::apply(const Rotations& from, double gamma, Rotations& to
                         sum[3][l] += share * z;
                         weight[l] += batch.share[k][l];
                     }
+                QuaternionBatch blended;
                 for (int l = 0; l < L; ++l) {
-                    const double blend = weight[l] > 0 ? gamma : 0.0;
+                    const double blend = gamma * weight[l]; // a tetrahedron alone has weight 0
                     const double w = (1 - blend) * own.q[0][l] + blend * sum[0][l];
                     const double x = (1 - blend) * own.q[1][l] + blend * sum[1][l];
                     const double y = (1 - blend) * own.q[2][l] + blend * sum[2][l];
                     const double z = (1 - blend) * own.q[3][l] + blend * sum[3][l];
                     const double length = std::sqrt(w * w + x * x + y * y + z * z);
-                    const double inverse = length > 0 ? 1 / length : 0.0;
-                    to[b].q[0][l] = w * inverse;
-                    to[b].q[1][l] = x * inverse;
-                    to[b].q[2][l] = y * inverse;
-                    to[b].q[3][l] = z * inverse;
+                    const double inverse = 1 / (length > kLeast ? length : kLeast);
+                    blended.q[0][l] = w * inverse;
+                    blended.q[1][l] = x * inverse;
+                    blended.q[2][l] = y * inverse;
+                    blended.q[3][l] = z * inverse;
                 }
+                to[b] = blended;
             }
         });
     });
