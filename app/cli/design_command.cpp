@@ -31,6 +31,7 @@ struct DesignOptions {
     std::string directions = "auto";
     std::string pins = "none";
     std::string fill = "auto";
+    bool merge = false;
     std::string method = "default";
     std::string units = "mm";
     double scale = 1;
@@ -92,6 +93,7 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
     request.maxTiltDegrees = options.maxTilt;
     request.method = options.method == "paper" ? DeformationMethod::Paper : DeformationMethod::Default;
     request.fill = options.fill == "auto" ? FillChoice::Auto : FillChoice::None;
+    request.mergePieces = options.merge;
     request.keepUnfinished = true;
     request.seed = session.seed();
     return request;
@@ -220,6 +222,7 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     app.add_option("--fill", o.fill, "auto: what no bending frees is filled; none: it is named")
         ->check(CLI::IsMember({"auto", "none"}))
         ->capture_default_str();
+    app.add_flag("--merge", o.merge, "Filling may join pieces of the part that are apart");
     app.add_option("--units", o.units, "Unit of the file's numbers")
         ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
         ->capture_default_str();

@@ -120,6 +120,12 @@ Result<DesignResult> tryFilling(const IndexedMesh& shape, const MoldState& state
     }();
     if (!solid)
         return std::unexpected(solid.error());
+    if (!run.request().mergePieces &&
+        connectedComponents(solid->surface.mesh).count < connectedComponents(shape).count)
+        return failure(ErrorCode::Impossible,
+                       MW_TEXT("design",
+                               "Filling would join pieces of the part that are apart. Allow it, take "
+                               "them apart further, or give another plane."));
     return bendAndProve(*solid, task, run);
 }
 

@@ -43,6 +43,7 @@ struct DesignRequest {
     std::vector<double> faceWeights;       ///< importance per face of `part`, 1 = plain; empty: all plain
     std::vector<Eigen::Vector3d> limbTips; ///< where limb measures are wanted; empty: found automatically
     FillChoice fill = FillChoice::None;
+    bool mergePieces = false; ///< filling may join pieces of the part that were apart
     bool keepUnfinished =
         false; ///< a stopped run returns what it reached, marked cutShort, if it got that far
     unsigned seed = 1;

@@ -23,6 +23,26 @@ MoldState level(double height) {
 
 } // namespace
 
+TEST(Obstructions, ALinkIsToldFromAHandle) {
+    // Both rings stand on the plane, the first's foot inside the second.
+    const IndexedMesh first =
+        test::rotated(test::torus(20, 3, 40, 16), Eigen::Vector3d::UnitX(), std::numbers::pi / 2);
+    IndexedMesh second = test::rotated(first, Eigen::Vector3d::UnitZ(), std::numbers::pi / 2);
+    second.V.col(0).array() += 20;
+    const auto links = [](const std::vector<Obstruction>& found) {
+        return std::count_if(found.begin(), found.end(), [](const Obstruction& obstruction) {
+            return obstruction.kind == Obstruction::Kind::Link;
+        });
+    };
+    const auto linked = obstructionsAt(test::together(first, second), level(0));
+    EXPECT_EQ(linked.size(), 4U) << "four arches";
+    EXPECT_EQ(links(linked), 2) << "on each side the second spans the first's foot";
+    second.V.col(0).array() += 60;
+    const auto apart = obstructionsAt(test::together(first, second), level(0));
+    EXPECT_EQ(apart.size(), 4U);
+    EXPECT_EQ(links(apart), 0);
+}
+
 TEST(Obstructions, NothingStandsInTheWayOfARingLyingFlat) {
     const IndexedMesh ring = test::torus(20, 5, 40, 16);
     EXPECT_TRUE(obstructionsAt(ring, level(0)).empty());
