@@ -9,6 +9,8 @@
 #include "deformation/rotation_fit.h"
 #include "deformation/sparse_solver.h"
 
+#include <Eigen/CholmodSupport>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <Eigen/SparseCholesky>
 
@@ -45,6 +47,42 @@ Eigen::SparseMatrix<double> systemOf(const BodyShape& body) {
     return A;
 }
 
+/// A tetrahedron of the plain way.
+struct PlainTet {
+    Eigen::RowVector4i corners;
+    Eigen::Matrix<double, 4, 3> gradients;
+    double volume;
+};
+
+std::vector<PlainTet> plainTets(const BodyShape& body) {
+    std::vector<PlainTet> tets;
+    for (Eigen::Index t = 0; t < body.T.rows(); ++t) {
+        PlainTet tet{body.T.row(t), {}, 0};
+        Eigen::Matrix3d edges;
+        for (int k = 0; k < 3; ++k)
+            edges.row(k) = body.V.row(tet.corners[k + 1]) - body.V.row(tet.corners[0]);
+        tet.gradients.bottomRows<3>() = edges.inverse().transpose();
+        tet.gradients.row(0) = -tet.gradients.bottomRows<3>().colwise().sum();
+        tet.volume = std::abs(edges.determinant()) / 6;
+        tets.push_back(tet);
+    }
+    return tets;
+}
+
+Positions plainRightHandSide(const std::vector<PlainTet>& tets, const Positions& X) {
+    Positions rhs = Positions::Zero(X.rows(), 3);
+    for (const PlainTet& tet : tets) {
+        Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
+        for (int k = 0; k < 4; ++k)
+            F += X.row(tet.corners[k]).transpose() * tet.gradients.row(k);
+        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        const Eigen::Matrix3d R = svd.matrixU() * svd.matrixV().transpose();
+        for (int k = 0; k < 4; ++k)
+            rhs.row(tet.corners[k]) += tet.volume * (R * tet.gradients.row(k).transpose()).transpose();
+    }
+    return rhs;
+}
+
 } // namespace
 
 /// The bound: the factors read twice (forward and backward) and the elements once, from memory.
@@ -70,6 +108,26 @@ static void localGlobalIteration(benchmark::State& state) {
 }
 BENCHMARK(localGlobalIteration)->Apply(eachSubject);
 
+/// The same step as one would write it first: a singular value decomposition for each tetrahedron, Eigen's
+/// factorisation, one thread; without enforcement and smoothing, which ours has.
+static void localGlobalBesidePlain(benchmark::State& state) {
+    const Subject& subject = subjectOf(state);
+    LocalGlobal solver(subject.body, std::vector<char>(static_cast<std::size_t>(subject.body.V.rows()), 0),
+                       0.1);
+    const SideLabels sides = sidesOf(subject.body);
+    const Directions directions = subject.frame.directionsToWork(subject.state.directions);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(systemOf(subject.body));
+    const std::vector<PlainTet> tets = plainTets(subject.body);
+    Positions X = subject.body.V;
+    Contest contest(state);
+    for (auto _ : state)
+        contest.round(
+            [&] { benchmark::DoNotOptimize(solver.iterate(sides, directions, std::sin(radians(1)))); },
+            [&] { X = factor.solve(plainRightHandSide(tets, X)); });
+    contest.conclude("plain", "ms", 1e3);
+}
+BENCHMARK(localGlobalBesidePlain)->Apply(eachSubject)->Iterations(10);
+
 /// One matrix, its pattern analysed before.
 static void factorisation(benchmark::State& state) {
     const Eigen::SparseMatrix<double> A = systemOf(subjectOf(state).body);
@@ -85,14 +143,21 @@ static void factorisation(benchmark::State& state) {
 }
 BENCHMARK(factorisation)->Apply(eachSubject)->MinTime(0.2);
 
-/// A plastic restart: new weights and both factorisations of the plane's frame.
+/// A plastic restart: new rest shape, its Laplacian, factor and trial solve; beside the same factorisation by
+/// CHOLMOD with METIS and OpenBLAS called directly, one thread.
 static void plasticRestart(benchmark::State& state) {
     const Subject& subject = subjectOf(state);
     const auto points = static_cast<std::size_t>(subject.body.V.rows());
     LocalGlobal solver(subject.body, std::vector<char>(points, 0), 0.1);
-    Best best(state);
+    const Eigen::SparseMatrix<double> A = systemOf(subject.body);
+    Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> direct;
+    direct.cholmod().nmethods = 1;
+    direct.cholmod().method[0].ordering = CHOLMOD_METIS;
+    direct.analyzePattern(A);
+    Contest contest(state);
     for (auto _ : state)
-        best.round([&] { solver.restart(); });
+        contest.round([&] { solver.restart(); }, [&] { direct.factorize(A); });
+    contest.conclude("cholmod", "ms", 1e3);
 }
 BENCHMARK(plasticRestart)->Apply(eachSubject)->MinTime(0.2);
 
