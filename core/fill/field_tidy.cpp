@@ -243,21 +243,22 @@ private:
                                       altitude(m_field.point(d), m_field.point(c), m_field.point(a)));
         if (!(after > kRounder * before))
             return false;
-        if (m_field.wall(e) ? !wallMayMove(e, f)
-                            : std::abs(m_field.planeAt(other, m_field.point(c)) -
-                                       m_field.height(m_field.corner(f, c))) > m_goal.flat)
+        const bool goesOn = !m_field.wall(e) && std::abs(m_field.planeAt(other, m_field.point(c)) -
+                                                         m_field.height(m_field.corner(f, c))) <= m_goal.flat;
+        if (!goesOn && !wallMayMove(e, f))
             return false;
-        m_field.flip(e, other);
+        m_field.flip(e, other, !goesOn);
         settle(e, c);
         return true;
     }
 
     /// A wall may move across a triangle that is thin enough; off the parting line only by next to nothing.
+    /// So thin and steep a triangle becomes a wall itself.
     [[nodiscard]] bool wallMayMove(Edge e, Face thinOne) const {
         const Halfedge h = mesh().halfedge_handle(e, 0);
         const bool fixed = m_field.origin(mesh().from_vertex_handle(h)) == Origin::Fixed &&
                            m_field.origin(mesh().to_vertex_handle(h)) == Origin::Fixed;
-        return altitudeOf(thinOne) <= (fixed ? kNextToNothing : 1) * m_goal.flat;
+        return altitudeOf(thinOne) <= (fixed || !m_field.wall(e) ? kNextToNothing : 1) * m_goal.flat;
     }
 
     /// Heights that the plane of a neighbour gave v in the triangles at a turned edge become those of a

@@ -151,7 +151,7 @@ void HeightField::collapse(Halfedge h, const std::function<double(double)>& heig
             setHeight(corner(f, v), z);
 }
 
-void HeightField::flip(Edge e, Face keep) {
+void HeightField::flip(Edge e, Face keep, bool extend) {
     const Halfedge along = m_mesh.halfedge_handle(e, 0);
     const Halfedge back = m_mesh.halfedge_handle(e, 1);
     const Face other =
@@ -161,7 +161,7 @@ void HeightField::flip(Edge e, Face keep) {
     std::vector<std::pair<Vertex, double>> heights;
     for (const auto h : m_mesh.fh_range(keep))
         heights.emplace_back(m_mesh.to_vertex_handle(h), height(h));
-    heights.emplace_back(far, wall(e) ? planeAt(keep, point(far)) : height(corner(other, far)));
+    heights.emplace_back(far, extend ? planeAt(keep, point(far)) : height(corner(other, far)));
     const int face = seen(keep);
     m_mesh.flip(e);
     for (const Face f : {m_mesh.face_handle(along), m_mesh.face_handle(back)}) {

@@ -69,9 +69,9 @@ public:
     /// becomes. Precondition: collapsible.
     void collapse(Halfedge h, const std::function<double(double)>& heightThere);
 
-    /// Turns an edge to join the far corners of its triangles. The new triangles take the heights that the
-    /// old ones have, of `keep` where they differ, and its plane's where it has none.
-    void flip(Edge e, Face keep);
+    /// Turns an edge to join the far corners of its triangles. The new triangles have the heights of `keep`;
+    /// at the far corner of the other one that one's, or with `extend` those of the plane of `keep`.
+    void flip(Edge e, Face keep, bool extend);
 
     /// Moves a point; heights stay.
     void move(Vertex v, const Eigen::Vector2d& p) { m_mesh.point(v).head<2>() = p; }
