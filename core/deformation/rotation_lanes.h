@@ -29,7 +29,7 @@ struct alignas(64) LaneQuartic {
 
     /// Newton from above falls monotonically on the largest root: a few steps near a rotation, many where two
     /// roots are close.
-    [[gnu::always_inline]] inline void solve() {
+    [[gnu::always_inline]] void solve() {
         for (int i = 0; i < kNewtonSteps; ++i) {
             double moved[L];
 #pragma GCC unroll 1 // unrolled, it would no longer become vector code
