@@ -19,8 +19,9 @@ namespace moldwright {
 
 namespace {
 
-constexpr std::size_t kPlanesTried = 6; ///< deformed in turn until one ends castable, its limbs kept
-constexpr int kRoundingAttempts = 3;    ///< finishes with ever coarser clean-up until floats keep the draft
+constexpr std::size_t kPlanesTried = 6;    ///< deformed in turn until one ends castable, its limbs kept
+constexpr std::size_t kPlanesForLimbs = 3; ///< of these, tried when only a limb is short
+constexpr int kRoundingAttempts = 3; ///< finishes with ever coarser clean-up until floats keep the draft
 constexpr int kPinSteps = 12;        ///< plastic steps that bring pins to the plane before the part is split
 constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
 constexpr double kLimbVolume = 0.75; ///< share of its volume
@@ -112,11 +113,11 @@ Result<DesignResult> tryBending(const IndexedMesh& shape, const MoldState& state
 }
 
 /// Fills what cannot leave at `state`, then leans the walls that filling made.
-Result<DesignResult> tryFilling(const IndexedMesh& shape, const MoldState& state, const Task& task,
-                                DesignRun& run) {
+Result<DesignResult> tryFilling(const IndexedMesh& shape, const MoldState& state, FillExtent extent,
+                                const Task& task, DesignRun& run) {
     const Result<PartedSolid> solid = [&] {
         const Stopwatch watch(run.seconds(), "fill");
-        return filledSolid(shape, state, task);
+        return filledSolid(shape, state, extent, task);
     }();
     if (!solid)
         return std::unexpected(solid.error());
@@ -141,6 +142,7 @@ struct Tries {
             best = std::move(*result);
     }
     [[nodiscard]] bool good() const { return best && best->castable && limbsLost(*best) == 0; }
+    [[nodiscard]] bool castable() const { return best && best->castable; }
     /// Castable, but only by giving up a limb, or not castable at all.
     [[nodiscard]] bool wantsFilling() const {
         return !best || !best->castable || limbsLost(*best) > kMuchLost;
@@ -151,11 +153,24 @@ Tries tryStates(const IndexedMesh& shape, const std::vector<MoldState>& states, 
     Tries tries;
     const std::size_t count = std::min(states.size(), kPlanesTried);
     for (std::size_t i = 0; i < count && !tries.good() && !run.stopped(); ++i) {
+        if (tries.castable() && i >= kPlanesForLimbs)
+            break;
         const double share = 0.85 / static_cast<double>(count);
         const double from = 0.1 + static_cast<double>(i) * share;
         tries.take(tryBending(shape, states[i], run.task().part(from, from + share), run));
     }
     return tries;
+}
+
+/// As little as needed first: the less is filled, the more of the part is kept.
+void fillWhereWanted(const IndexedMesh& shape, const MoldStates& states, Tries& tries, DesignRun& run) {
+    const bool obstructed = states.passing.empty();
+    const MoldState& state = obstructed ? states.best : states.passing.front();
+    const Task task = run.task().part(0.95, 1);
+    if (obstructed && !run.stopped())
+        tries.take(tryFilling(shape, state, FillExtent::Needed, task, run));
+    if (tries.wantsFilling() && !run.stopped())
+        tries.take(tryFilling(shape, state, FillExtent::All, task, run));
 }
 
 /// Pins first pull the whole part, unsplit, until they lie in the plane: [Stein 2019], Section 6.1.
@@ -188,9 +203,8 @@ Result<DesignResult> designByBending(DesignRun& run) {
     if (!states)
         return std::unexpected(states.error());
     Tries tries = tryStates(*shape, states->passing, run);
-    if (request.fill == FillChoice::Auto && tries.wantsFilling() && !run.stopped())
-        tries.take(tryFilling(*shape, states->passing.empty() ? states->best : states->passing.front(),
-                              run.task().part(0.95, 1), run));
+    if (request.fill == FillChoice::Auto)
+        fillWhereWanted(*shape, *states, tries, run);
     if (!tries.best) {
         if (run.stopped())
             return DesignRun::cancelled();

@@ -4,7 +4,7 @@
 #include "castability/topology.h"
 #include "design/obstructions.h"
 #include "exchange/tetrahedralize.h"
-#include "fill/fill.h"
+#include "fill/fill_plan.h"
 #include "mesh/check.h"
 
 namespace moldwright {
@@ -47,6 +47,16 @@ IndexedMesh crossWhereFree(const IndexedMesh& work, double reach) {
 /// The part in the working frame with its parting line inserted.
 PartedMesh parted(const IndexedMesh& work, double reach, double snap) {
     return insertPartingLine(reach > 0 ? crossWhereFree(work, reach) : work, snap);
+}
+
+Result<FilledPart> filledTo(FillExtent extent, const PartedMesh& surface, const Directions& directions,
+                            const Task& task) {
+    if (extent == FillExtent::All)
+        return fill(surface, directions, task);
+    const Result<FillPlan> plan = planFill(surface, directions, task);
+    if (!plan)
+        return std::unexpected(plan.error());
+    return minimalFill(*plan);
 }
 
 Error crossesItself() {
@@ -109,7 +119,8 @@ Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, c
     return std::unexpected(*refusal);
 }
 
-Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state, const Task& task) {
+Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state, FillExtent extent,
+                                const Task& task) {
     const WorkingFrame frame(part, state);
     const IndexedMesh work = frame.toWork(part);
     const Directions directions = frame.directionsToWork(state.directions);
@@ -120,7 +131,7 @@ Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state,
             refusal = crossesItself();
             continue;
         }
-        Result<FilledPart> filled = fill(surface, directions, task);
+        Result<FilledPart> filled = filledTo(extent, surface, directions, task);
         Result<TetMesh> tets = filled ? tetrahedralize(filled->surface.mesh, task)
                                       : Result<TetMesh>(std::unexpected(filled.error()));
         if (!tets) {

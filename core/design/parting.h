@@ -26,11 +26,14 @@ struct PartedSolid {
 [[nodiscard]] Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state,
                                             const Task& task);
 
-/// The same for the part with everything filled that cannot leave at `state` (see fill()); its new walls
-/// stand along the directions and still want leaning. surface.sourceFace is −1 on them. Errors: Internal,
-/// Worker, Cancelled.
+/// How much is filled: what the topological certificate asks for, the rest being left to bending, or all that
+/// cannot leave.
+enum class FillExtent { Needed, All };
+
+/// The same for the part filled at `state` (see fill_plan.h); the new walls stand along the directions and
+/// still want leaning. surface.sourceFace is −1 on them. Errors: Internal, Worker, Cancelled.
 [[nodiscard]] Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state,
-                                              const Task& task);
+                                              FillExtent extent, const Task& task);
 
 /// Whether the topological certificate holds for the part at `state`.
 [[nodiscard]] bool planePasses(const IndexedMesh& part, const MoldState& state);
