@@ -1,1997 +1,2230 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
-    <context>
-        <name>Actions</name>
-        <message>
-            <source>&amp;File</source>
-            <translation>&amp;Datei</translation>
-        </message>
-        <message>
-            <source>&amp;Open a part…</source>
-            <translation>Teil &amp;öffnen …</translation>
-        </message>
-        <message>
-            <source>Open a mesh (STL, OBJ, PLY, OFF) or a Moldwright project.</source>
-            <translation>Ein Netz (STL, OBJ, PLY, OFF) oder ein Moldwright-Projekt öffnen.</translation>
-        </message>
-        <message>
-            <source>&amp;Close the part</source>
-            <translation>Teil s&amp;chließen</translation>
-        </message>
-        <message>
-            <source>Close the part and go back to the start page.</source>
-            <translation>Das Teil schließen und zur Startseite zurückkehren.</translation>
-        </message>
-        <message>
-            <source>&amp;Save</source>
-            <translation>&amp;Speichern</translation>
-        </message>
-        <message>
-            <source>Save the project to its file.</source>
-            <translation>Das Projekt in seine Datei speichern.</translation>
-        </message>
-        <message>
-            <source>Save &amp;as…</source>
-            <translation>Speichern &amp;unter …</translation>
-        </message>
-        <message>
-            <source>Save the project to another file.</source>
-            <translation>Das Projekt in eine andere Datei speichern.</translation>
-        </message>
-        <message>
-            <source>&amp;Export the shape…</source>
-            <translation>&amp;Form exportieren …</translation>
-        </message>
-        <message>
-            <source>Write the shape in view as STL, PLY, OBJ or OFF.</source>
-            <translation>Die gezeigte Form als STL, PLY, OBJ oder OFF schreiben.</translation>
-        </message>
-        <message>
-            <source>Export the &amp;halves…</source>
-            <translation>&amp;Hälften exportieren …</translation>
-        </message>
-        <message>
-            <source>Write both mold halves into a folder.</source>
-            <translation>Beide Formhälften in einen Ordner schreiben.</translation>
-        </message>
-        <message>
-            <source>&amp;Quit</source>
-            <translation>&amp;Beenden</translation>
-        </message>
-        <message>
-            <source>Close Moldwright.</source>
-            <translation>Moldwright schließen.</translation>
-        </message>
-        <message>
-            <source>&amp;Edit</source>
-            <translation>&amp;Bearbeiten</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Rückgängig</translation>
-        </message>
-        <message>
-            <source>Take the last edit back.</source>
-            <translation>Die letzte Änderung zurücknehmen.</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Wiederholen</translation>
-        </message>
-        <message>
-            <source>Do the edit again.</source>
-            <translation>Die Änderung wiederholen.</translation>
-        </message>
-        <message>
-            <source>&amp;Find a command</source>
-            <translation>Befehl &amp;suchen</translation>
-        </message>
-        <message>
-            <source>Find any command by its words.</source>
-            <translation>Jeden Befehl anhand seiner Wörter finden.</translation>
-        </message>
-        <message>
-            <source>&amp;View</source>
-            <translation>&amp;Ansicht</translation>
-        </message>
-        <message>
-            <source>&amp;Fit all</source>
-            <translation>Alles &amp;einpassen</translation>
-        </message>
-        <message>
-            <source>Bring everything into sight.</source>
-            <translation>Alles ins Bild holen.</translation>
-        </message>
-        <message>
-            <source>&amp;Home view</source>
-            <translation>&amp;Grundansicht</translation>
-        </message>
-        <message>
-            <source>Look from the front, right and above.</source>
-            <translation>Von vorn, rechts und oben sehen.</translation>
-        </message>
-        <message>
-            <source>F&amp;ront</source>
-            <translation>&amp;Vorn</translation>
-        </message>
-        <message>
-            <source>Look from the front.</source>
-            <translation>Von vorn sehen.</translation>
-        </message>
-        <message>
-            <source>R&amp;ight</source>
-            <translation>&amp;Rechts</translation>
-        </message>
-        <message>
-            <source>Look from the right.</source>
-            <translation>Von rechts sehen.</translation>
-        </message>
-        <message>
-            <source>&amp;Top</source>
-            <translation>&amp;Oben</translation>
-        </message>
-        <message>
-            <source>Look from above.</source>
-            <translation>Von oben sehen.</translation>
-        </message>
-        <message>
-            <source>Opp&amp;osite</source>
-            <translation>Ge&amp;genseite</translation>
-        </message>
-        <message>
-            <source>Look from the other side.</source>
-            <translation>Von der anderen Seite sehen.</translation>
-        </message>
-        <message>
-            <source>At the parting plane</source>
-            <translation>Auf die Trennebene</translation>
-        </message>
-        <message>
-            <source>Look along the normal of the parting plane.</source>
-            <translation>Entlang der Normalen der Trennebene sehen.</translation>
-        </message>
-        <message>
-            <source>&amp;Perspective</source>
-            <translation>&amp;Perspektive</translation>
-        </message>
-        <message>
-            <source>Show depth as the eye sees it, or without.</source>
-            <translation>Tiefe zeigen, wie das Auge sie sieht, oder ohne.</translation>
-        </message>
-        <message>
-            <source>&amp;Undercuts</source>
-            <translation>&amp;Hinterschnitte</translation>
-        </message>
-        <message>
-            <source>Paint the faces below the required draft red.</source>
-            <translation>Flächen unter der verlangten Schräge rot zeigen.</translation>
-        </message>
-        <message>
-            <source>&amp;Draft map</source>
-            <translation>&amp;Schrägenkarte</translation>
-        </message>
-        <message>
-            <source>Paint every face by its draft angle.</source>
-            <translation>Jede Fläche nach ihrer Entformungsschräge färben.</translation>
-        </message>
-        <message>
-            <source>P&amp;lain</source>
-            <translation>S&amp;chlicht</translation>
-        </message>
-        <message>
-            <source>Show the shape alone.</source>
-            <translation>Nur die Form zeigen.</translation>
-        </message>
-        <message>
-            <source>Parting plane</source>
-            <translation>Trennebene</translation>
-        </message>
-        <message>
-            <source>Show or hide the parting plane.</source>
-            <translation>Die Trennebene zeigen oder verbergen.</translation>
-        </message>
-        <message>
-            <source>Removal directions</source>
-            <translation>Entformungsrichtungen</translation>
-        </message>
-        <message>
-            <source>Show or hide both removal directions.</source>
-            <translation>Beide Entformungsrichtungen zeigen oder verbergen.</translation>
-        </message>
-        <message>
-            <source>Mesh edges</source>
-            <translation>Netzkanten</translation>
-        </message>
-        <message>
-            <source>Show or hide the edges of the faces.</source>
-            <translation>Die Kanten der Flächen zeigen oder verbergen.</translation>
-        </message>
-        <message>
-            <source>See-through</source>
-            <translation>Durchsichtig</translation>
-        </message>
-        <message>
-            <source>Show the shape as if it were glass.</source>
-            <translation>Die Form zeigen, als wäre sie aus Glas.</translation>
-        </message>
-        <message>
-            <source>Save a picture…</source>
-            <translation>Bild speichern …</translation>
-        </message>
-        <message>
-            <source>Write the view as a PNG picture.</source>
-            <translation>Die Ansicht als PNG-Bild schreiben.</translation>
-        </message>
-        <message>
-            <source>&amp;Part</source>
-            <translation>&amp;Teil</translation>
-        </message>
-        <message>
-            <source>&amp;Lay flat on a face</source>
-            <translation>Auf eine Fläche &amp;legen</translation>
-        </message>
-        <message>
-            <source>Click the face that shall lie on the ground. Esc leaves.</source>
-            <translation>Die Fläche anklicken, die auf dem Boden liegen soll. Esc beendet.</translation>
-        </message>
-        <message>
-            <source>Turn about &amp;X</source>
-            <translation>Um &amp;X drehen</translation>
-        </message>
-        <message>
-            <source>Turn the part by 90° about the x axis.</source>
-            <translation>Das Teil um 90° um die x-Achse drehen.</translation>
-        </message>
-        <message>
-            <source>Turn about &amp;Y</source>
-            <translation>Um &amp;Y drehen</translation>
-        </message>
-        <message>
-            <source>Turn the part by 90° about the y axis.</source>
-            <translation>Das Teil um 90° um die y-Achse drehen.</translation>
-        </message>
-        <message>
-            <source>Turn about &amp;Z</source>
-            <translation>Um &amp;Z drehen</translation>
-        </message>
-        <message>
-            <source>Turn the part by 90° about the z axis.</source>
-            <translation>Das Teil um 90° um die z-Achse drehen.</translation>
-        </message>
-        <message>
-            <source>Move to the &amp;middle</source>
-            <translation>In die &amp;Mitte rücken</translation>
-        </message>
-        <message>
-            <source>Put the middle of the part above the origin, on the ground.</source>
-            <translation>Die Mitte des Teils über den Ursprung stellen, auf den Boden.</translation>
-        </message>
-        <message>
-            <source>P&amp;lane</source>
-            <translation>&amp;Ebene</translation>
-        </message>
-        <message>
-            <source>&amp;Best plane</source>
-            <translation>&amp;Beste Ebene</translation>
-        </message>
-        <message>
-            <source>Search all planes for the one that leaves the least to deform.</source>
-            <translation>Unter allen Ebenen die suchen, bei der am wenigsten zu verformen bleibt.</translation>
-        </message>
-        <message>
-            <source>&amp;Next best plane</source>
-            <translation>&amp;Nächstbeste Ebene</translation>
-        </message>
-        <message>
-            <source>Take the next plane of the last search.</source>
-            <translation>Die nächste Ebene der letzten Suche nehmen.</translation>
-        </message>
-        <message>
-            <source>Best &amp;directions</source>
-            <translation>Beste &amp;Richtungen</translation>
-        </message>
-        <message>
-            <source>Tilt both directions to where the least is left to deform.</source>
-            <translation>Beide Richtungen dorthin neigen, wo am wenigsten zu verformen bleibt.</translation>
-        </message>
-        <message>
-            <source>Directions along the &amp;normal</source>
-            <translation>Richtungen entlang der N&amp;ormalen</translation>
-        </message>
-        <message>
-            <source>Let both halves leave straight along the plane's normal.</source>
-            <translation>Beide Hälften gerade entlang der Ebenennormalen abziehen.</translation>
-        </message>
-        <message>
-            <source>&amp;Deform</source>
-            <translation>&amp;Verformen</translation>
-        </message>
-        <message>
-            <source>&amp;Run</source>
-            <translation>&amp;Start</translation>
-        </message>
-        <message>
-            <source>Bend the part until it leaves the mold, and prove it.</source>
-            <translation>Das Teil biegen, bis es sich entformen lässt, und dies beweisen.</translation>
-        </message>
-        <message>
-            <source>&amp;Stop</source>
-            <translation>&amp;Halt</translation>
-        </message>
-        <message>
-            <source>Stop; the part stays as it was.</source>
-            <translation>Anhalten; das Teil bleibt, wie es war.</translation>
-        </message>
-        <message>
-            <source>Restore original shape</source>
-            <translation>Ursprüngliche Form</translation>
-        </message>
-        <message>
-            <source>Back to the undeformed part; the plane stays.</source>
-            <translation>Zurück zum unverformten Teil; die Ebene bleibt.</translation>
-        </message>
-        <message>
-            <source>&amp;Mold</source>
-            <translation>&amp;Form</translation>
-        </message>
-        <message>
-            <source>&amp;Build mold</source>
-            <translation>Form &amp;bauen</translation>
-        </message>
-        <message>
-            <source>Make both mold halves around the cast, and prove that they come off.</source>
-            <translation>Beide Formhälften um den Guss bauen und beweisen, dass sie sich abziehen lassen.</translation>
-        </message>
-        <message>
-            <source>&amp;Open or close the mold</source>
-            <translation>Form &amp;öffnen oder schließen</translation>
-        </message>
-        <message>
-            <source>Move the halves apart along their directions, or together.</source>
-            <translation>Die Hälften entlang ihrer Richtungen auseinander- oder zusammenfahren.</translation>
-        </message>
-        <message>
-            <source>&amp;Report</source>
-            <translation>&amp;Bericht</translation>
-        </message>
-        <message>
-            <source>&amp;Print report…</source>
-            <translation>Bericht &amp;drucken …</translation>
-        </message>
-        <message>
-            <source>Make a PDF with pictures, draft, volumes and the proof.</source>
-            <translation>Ein PDF mit Bildern, Schräge, Volumen und dem Beweis machen.</translation>
-        </message>
-        <message>
-            <source>&amp;Window</source>
-            <translation>&amp;Fenster</translation>
-        </message>
-        <message>
-            <source>&amp;Light</source>
-            <translation>&amp;Hell</translation>
-        </message>
-        <message>
-            <source>Use the light theme.</source>
-            <translation>Helle Farben verwenden.</translation>
-        </message>
-        <message>
-            <source>&amp;Dark</source>
-            <translation>&amp;Dunkel</translation>
-        </message>
-        <message>
-            <source>Use the dark theme.</source>
-            <translation>Dunkle Farben verwenden.</translation>
-        </message>
-        <message>
-            <source>Like the desk&amp;top</source>
-            <translation>Wie der &amp;Schreibtisch</translation>
-        </message>
-        <message>
-            <source>Follow the desktop's colours.</source>
-            <translation>Den Farben des Schreibtischs folgen.</translation>
-        </message>
-        <message>
-            <source>Next area</source>
-            <translation>Nächster Bereich</translation>
-        </message>
-        <message>
-            <source>Move the keyboard to the next area of the window.</source>
-            <translation>Die Tastatur in den nächsten Bereich des Fensters bringen.</translation>
-        </message>
-        <message>
-            <source>Previous area</source>
-            <translation>Voriger Bereich</translation>
-        </message>
-        <message>
-            <source>Move the keyboard to the previous area of the window.</source>
-            <translation>Die Tastatur in den vorigen Bereich des Fensters bringen.</translation>
-        </message>
-        <message>
-            <source>&amp;Reset the layout</source>
-            <translation>Anordnung &amp;zurücksetzen</translation>
-        </message>
-        <message>
-            <source>Put all panels back where they were at first.</source>
-            <translation>Alle Felder dorthin stellen, wo sie anfangs waren.</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>&amp;Hilfe</translation>
-        </message>
-        <message>
-            <source>&amp;Keys and mouse</source>
-            <translation>&amp;Tasten und Maus</translation>
-        </message>
-        <message>
-            <source>Show all keys on one sheet.</source>
-            <translation>Alle Tasten auf einem Blatt zeigen.</translation>
-        </message>
-        <message>
-            <source>&amp;About Moldwright</source>
-            <translation>&amp;Über Moldwright</translation>
-        </message>
-        <message>
-            <source>Version, licence, libraries.</source>
-            <translation>Version, Lizenz, Bibliotheken.</translation>
-        </message>
-    </context>
-    <context>
-        <name>MessageDelegate</name>
-        <message>
-            <source>Show me</source>
-            <translation>Zeigen</translation>
-        </message>
-    </context>
-    <context>
-        <name>Mold</name>
-        <message>
-            <source>No mold can be built round this cast. {0} Finish the cast first.</source>
-            <translation>Um diesen Guss lässt sich keine Form bauen. {0} Erst den Guss fertigstellen.</translation>
-        </message>
-        <message>
-            <source>Building the mold was cancelled.</source>
-            <translation>Der Formenbau wurde abgebrochen.</translation>
-        </message>
-        <message>
-            <source>The parting face could not be built: the parting curves cross.</source>
-            <translation>Die Trennfläche ließ sich nicht bauen: die Trennlinien kreuzen sich.</translation>
-        </message>
-        <message>
-            <source>The folder {0} could not be made: {1}.</source>
-            <translation>Der Ordner {0} ließ sich nicht anlegen: {1}.</translation>
-        </message>
-        <message>
-            <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
-            <translation>Die 3MF-Datei ließ sich nicht schreiben: lib3mf scheiterte an {0}.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Pictures</name>
-        <message>
-            <source>Pictures cannot be drawn on this machine: OpenGL {0}.</source>
-            <translation>Auf diesem Rechner lassen sich keine Bilder zeichnen: OpenGL {0}.</translation>
-        </message>
-    </context>
-    <context>
-        <name>Presentation</name>
-        <message>
-            <source>Running, step %1</source>
-            <translation>Läuft, Schritt %1</translation>
-        </message>
-        <message>
-            <source>Running</source>
-            <translation>Läuft</translation>
-        </message>
-        <message>
-            <source>Not started</source>
-            <translation>Nicht begonnen</translation>
-        </message>
-        <message>
-            <source>Done</source>
-            <translation>Fertig</translation>
-        </message>
-        <message>
-            <source>Out of date</source>
-            <translation>Veraltet</translation>
-        </message>
-        <message>
-            <source>Waits for Deform</source>
-            <translation>Wartet auf Verformen</translation>
-        </message>
-        <message>
-            <source>Checking</source>
-            <translation>Wird geprüft</translation>
-        </message>
-        <message>
-            <source>Proved at %1</source>
-            <translation>Bewiesen bei %1</translation>
-        </message>
-        <message>
-            <source>Not proved</source>
-            <translation>Nicht bewiesen</translation>
-        </message>
-        <message>
-            <source>Proved</source>
-            <translation>Bewiesen</translation>
-        </message>
-        <message>
-            <source>%1 to level</source>
-            <translation>%1 zur Waagrechten</translation>
-        </message>
-        <message>
-            <source>%1, closed</source>
-            <translation>%1, geschlossen</translation>
-        </message>
-        <message>
-            <source>Not chosen yet</source>
-            <translation>Noch nicht gewählt</translation>
-        </message>
-        <message>
-            <source>Number %1 of %2</source>
-            <translation>Nummer %1 von %2</translation>
-        </message>
-        <message>
-            <source>Chosen</source>
-            <translation>Gewählt</translation>
-        </message>
-        <message>
-            <source>Ready to print</source>
-            <translation>Druckbereit</translation>
-        </message>
-        <message>
-            <source>Surface</source>
-            <translation>Oberfläche</translation>
-        </message>
-        <message>
-            <source>%1 faces</source>
-            <translation>%1 Flächen</translation>
-        </message>
-        <message>
-            <source>Parting plane</source>
-            <translation>Trennebene</translation>
-        </message>
-        <message>
-            <source>Direction %1</source>
-            <translation>Richtung %1</translation>
-        </message>
-        <message>
-            <source>Deform</source>
-            <translation>Verformen</translation>
-        </message>
-        <message>
-            <source>Cast</source>
-            <translation>Guss</translation>
-        </message>
-        <message>
-            <source>Mold</source>
-            <translation>Form</translation>
-        </message>
-        <message>
-            <source>Half 1</source>
-            <translation>Hälfte 1</translation>
-        </message>
-        <message>
-            <source>Half 2</source>
-            <translation>Hälfte 2</translation>
-        </message>
-        <message>
-            <source>No part open</source>
-            <translation>Kein Teil offen</translation>
-        </message>
-        <message>
-            <source>Open a mesh or a sample</source>
-            <translation>Ein Netz oder Beispiel öffnen</translation>
-        </message>
-        <message>
-            <source>Castable and opens</source>
-            <translation>Gießbar und öffnet sich</translation>
-        </message>
-        <message>
-            <source>Cast and halves proved at %1 draft</source>
-            <translation>Guss und Hälften bewiesen bei %1 Schräge</translation>
-        </message>
-        <message>
-            <source>Castable</source>
-            <translation>Gießbar</translation>
-        </message>
-        <message>
-            <source>Proved at %1 draft, %2 required</source>
-            <translation>Bewiesen bei %1 Schräge, %2 verlangt</translation>
-        </message>
-        <message>
-            <source>Not castable yet</source>
-            <translation>Noch nicht gießbar</translation>
-        </message>
-        <message>
-            <source>Measuring the draft</source>
-            <translation>Die Schräge wird gemessen</translation>
-        </message>
-        <message>
-            <source>%1 of the surface below %2</source>
-            <translation>%1 der Oberfläche unter %2</translation>
-        </message>
-        <message>
-            <source>No undercut seen; Run proves it</source>
-            <translation>Kein Hinterschnitt zu sehen; Start beweist es</translation>
-        </message>
-        <message>
-            <source>Undercuts</source>
-            <translation>Hinterschnitte</translation>
-        </message>
-        <message>
-            <source>Draft below %1</source>
-            <translation>Schräge unter %1</translation>
-        </message>
-        <message>
-            <source>Draft %1 or more</source>
-            <translation>Schräge %1 oder mehr</translation>
-        </message>
-        <message>
-            <source>Draft</source>
-            <translation>Schräge</translation>
-        </message>
-        <message>
-            <source>below %1</source>
-            <translation>unter %1</translation>
-        </message>
-        <message>
-            <source>%1 to %2</source>
-            <translation>%1 bis %2</translation>
-        </message>
-        <message>
-            <source>above %1</source>
-            <translation>über %1</translation>
-        </message>
-        <message>
-            <source>Step %1, live</source>
-            <translation>Schritt %1, live</translation>
-        </message>
-        <message>
-            <source>Starting</source>
-            <translation>Beginnt</translation>
-        </message>
-        <message>
-            <source>Part as opened</source>
-            <translation>Teil wie geöffnet</translation>
-        </message>
-    </context>
-    <context>
-        <name>Project</name>
-        <message>
-            <source>The project file could not be put together.</source>
-            <translation>Die Projektdatei ließ sich nicht zusammenstellen.</translation>
-        </message>
-        <message>
-            <source>The evaluation was cancelled.</source>
-            <translation>Die Auswertung wurde abgebrochen.</translation>
-        </message>
-        <message>
-            <source>{0} is damaged: its part {1} is missing or cannot be read. Open an older copy of the project.</source>
-            <translation>{0} ist beschädigt: der Bestandteil {1} fehlt oder ist unlesbar. Eine ältere Kopie des Projekts öffnen.</translation>
-        </message>
-        <message>
-            <source>{0} was saved by a newer Moldwright. A program that reads format {1} is needed; this one reads up to {2}.</source>
-            <translation>{0} wurde von einem neueren Moldwright gespeichert. Nötig ist ein Programm für Format {1}; dieses liest bis {2}.</translation>
-        </message>
-        <message>
-            <source>{0} is not a Moldwright project.</source>
-            <translation>{0} ist kein Moldwright-Projekt.</translation>
-        </message>
-        <message>
-            <source>{0} cannot be opened: {1}.</source>
-            <translation>{0} lässt sich nicht öffnen: {1}.</translation>
-        </message>
-        <message>
-            <source>{0} is too large for a project file.</source>
-            <translation>{0} ist zu groß für eine Projektdatei.</translation>
-        </message>
-        <message>
-            <source>{0} cannot be read.</source>
-            <translation>{0} lässt sich nicht lesen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>PropertyPages</name>
-        <message>
-            <source>Goal</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <source>Draft required</source>
-            <translation>Verlangte Schräge</translation>
-        </message>
-        <message>
-            <source>The least angle between the surface and the direction its half leaves in.</source>
-            <translation>Der kleinste Winkel zwischen der Oberfläche und der Richtung, in der ihre Hälfte abgezogen wird.</translation>
-        </message>
-        <message>
-            <source>Part</source>
-            <translation>Teil</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <source>Longest side</source>
-            <translation>Längste Seite</translation>
-        </message>
-        <message>
-            <source>Scales the whole part.</source>
-            <translation>Skaliert das ganze Teil.</translation>
-        </message>
-        <message>
-            <source>Place of its middle</source>
-            <translation>Lage der Mitte</translation>
-        </message>
-        <message>
-            <source>X</source>
-            <translation>X</translation>
-        </message>
-        <message>
-            <source>Y</source>
-            <translation>Y</translation>
-        </message>
-        <message>
-            <source>Z</source>
-            <translation>Z</translation>
-        </message>
-        <message>
-            <source>Measured</source>
-            <translation>Gemessen</translation>
-        </message>
-        <message>
-            <source>Size, mm</source>
-            <translation>Größe, mm</translation>
-        </message>
-        <message>
-            <source>Volume</source>
-            <translation>Volumen</translation>
-        </message>
-        <message>
-            <source>Surface</source>
-            <translation>Oberfläche</translation>
-        </message>
-        <message>
-            <source>Faces</source>
-            <translation>Flächen</translation>
-        </message>
-        <message>
-            <source>Parting plane</source>
-            <translation>Trennebene</translation>
-        </message>
-        <message>
-            <source>Drag its grips in the view, or type here.</source>
-            <translation>Die Griffe in der Ansicht ziehen oder hier eingeben.</translation>
-        </message>
-        <message>
-            <source>Plane</source>
-            <translation>Ebene</translation>
-        </message>
-        <message>
-            <source>Offset</source>
-            <translation>Versatz</translation>
-        </message>
-        <message>
-            <source>Distance of the plane from the origin along its normal.</source>
-            <translation>Abstand der Ebene vom Ursprung entlang ihrer Normalen.</translation>
-        </message>
-        <message>
-            <source>Directions</source>
-            <translation>Richtungen</translation>
-        </message>
-        <message>
-            <source>While it runs</source>
-            <translation>Im Lauf</translation>
-        </message>
-        <message>
-            <source>How the removal directions are chosen when the part is deformed.</source>
-            <translation>Wie die Entformungsrichtungen beim Verformen gewählt werden.</translation>
-        </message>
-        <message>
-            <source>Best for the plane</source>
-            <translation>Beste zur Ebene</translation>
-        </message>
-        <message>
-            <source>Along the normal</source>
-            <translation>Entlang der Normalen</translation>
-        </message>
-        <message>
-            <source>As they are</source>
-            <translation>Wie sie sind</translation>
-        </message>
-        <message>
-            <source>Tilt limit</source>
-            <translation>Größte Neigung</translation>
-        </message>
-        <message>
-            <source>How far a direction may lean from the plane's normal.</source>
-            <translation>Wie weit eine Richtung von der Ebenennormalen abweichen darf.</translation>
-        </message>
-        <message>
-            <source>Worst draft</source>
-            <translation>Kleinste Schräge</translation>
-        </message>
-        <message>
-            <source>Area below</source>
-            <translation>Fläche darunter</translation>
-        </message>
-        <message>
-            <source>Direction 1</source>
-            <translation>Richtung 1</translation>
-        </message>
-        <message>
-            <source>Angle to the plane's normal.</source>
-            <translation>Winkel zur Ebenennormalen.</translation>
-        </message>
-        <message>
-            <source>Direction 2</source>
-            <translation>Richtung 2</translation>
-        </message>
-        <message>
-            <source>Deform</source>
-            <translation>Verformen</translation>
-        </message>
-        <message>
-            <source>Bends the part until both halves come off.</source>
-            <translation>Biegt das Teil, bis sich beide Hälften abziehen lassen.</translation>
-        </message>
-        <message>
-            <source>Method</source>
-            <translation>Verfahren</translation>
-        </message>
-        <message>
-            <source>How the shape is bent.</source>
-            <translation>Wie die Form gebogen wird.</translation>
-        </message>
-        <message>
-            <source>Elastic, then finish</source>
-            <translation>Elastisch, dann fertig</translation>
-        </message>
-        <message>
-            <source>As in the paper</source>
-            <translation>Wie im Aufsatz</translation>
-        </message>
-        <message>
-            <source>How the removal directions are chosen.</source>
-            <translation>Wie die Entformungsrichtungen gewählt werden.</translation>
-        </message>
-        <message>
-            <source>Energy</source>
-            <translation>Energie</translation>
-        </message>
-        <message>
-            <source>Mean distance</source>
-            <translation>Mittlerer Abstand</translation>
-        </message>
-        <message>
-            <source>To the part, over its diagonal, after the best rigid fit.</source>
-            <translation>Zum Teil, bezogen auf seine Diagonale, nach bester starrer Einpassung.</translation>
-        </message>
-        <message>
-            <source>Mold</source>
-            <translation>Form</translation>
-        </message>
-        <message>
-            <source>Two halves around the cast.</source>
-            <translation>Zwei Hälften um den Guss.</translation>
-        </message>
-        <message>
-            <source>Block</source>
-            <translation>Block</translation>
-        </message>
-        <message>
-            <source>Wall</source>
-            <translation>Wand</translation>
-        </message>
-        <message>
-            <source>Steel between the cavity and each side face.</source>
-            <translation>Stahl zwischen Hohlraum und jeder Seitenfläche.</translation>
-        </message>
-        <message>
-            <source>Over half 1</source>
-            <translation>Über Hälfte 1</translation>
-        </message>
-        <message>
-            <source>Steel over the cavity of half 1.</source>
-            <translation>Stahl über dem Hohlraum von Hälfte 1.</translation>
-        </message>
-        <message>
-            <source>Under half 2</source>
-            <translation>Unter Hälfte 2</translation>
-        </message>
-        <message>
-            <source>Steel under the cavity of half 2.</source>
-            <translation>Stahl unter dem Hohlraum von Hälfte 2.</translation>
-        </message>
-        <message>
-            <source>Half 1, mm</source>
-            <translation>Hälfte 1, mm</translation>
-        </message>
-        <message>
-            <source>Half 2, mm</source>
-            <translation>Hälfte 2, mm</translation>
-        </message>
-        <message>
-            <source>Cavity</source>
-            <translation>Hohlraum</translation>
-        </message>
-        <message>
-            <source>Both halves</source>
-            <translation>Beide Hälften</translation>
-        </message>
-        <message>
-            <source>Smallest steel</source>
-            <translation>Kleinster Stahl</translation>
-        </message>
-        <message>
-            <source>Comes off</source>
-            <translation>Lässt sich abziehen</translation>
-        </message>
-        <message>
-            <source>Cast</source>
-            <translation>Guss</translation>
-        </message>
-        <message>
-            <source>What will come out of the mold.</source>
-            <translation>Was aus der Form kommen wird.</translation>
-        </message>
-        <message>
-            <source>Castability</source>
-            <translation>Gießbarkeit</translation>
-        </message>
-        <message>
-            <source>Self-intersections</source>
-            <translation>Selbstschnitte</translation>
-        </message>
-        <message>
-            <source>Parting curve</source>
-            <translation>Trennlinie</translation>
-        </message>
-        <message>
-            <source>Proved</source>
-            <translation>Bewiesen</translation>
-        </message>
-        <message>
-            <source>Kept from the part</source>
-            <translation>Vom Teil erhalten</translation>
-        </message>
-        <message>
-            <source>Over the part's diagonal, after the best rigid fit.</source>
-            <translation>Bezogen auf die Diagonale des Teils, nach bester starrer Einpassung.</translation>
-        </message>
-        <message>
-            <source>Shortest limb</source>
-            <translation>Kürzestes Glied</translation>
-        </message>
-        <message>
-            <source>Length, cast over part.</source>
-            <translation>Länge, Guss zu Teil.</translation>
-        </message>
-        <message>
-            <source>no limbs</source>
-            <translation>keine Glieder</translation>
-        </message>
-        <message>
-            <source>none</source>
-            <translation>keine</translation>
-        </message>
-        <message>
-            <source>found</source>
-            <translation>gefunden</translation>
-        </message>
-        <message>
-            <source>simple</source>
-            <translation>einfach</translation>
-        </message>
-        <message>
-            <source>crosses itself</source>
-            <translation>kreuzt sich</translation>
-        </message>
-        <message>
-            <source>yes</source>
-            <translation>ja</translation>
-        </message>
-        <message>
-            <source>no</source>
-            <translation>nein</translation>
-        </message>
-        <message>
-            <source>out of date</source>
-            <translation>veraltet</translation>
-        </message>
-        <message>
-            <source>proved</source>
-            <translation>bewiesen</translation>
-        </message>
-        <message>
-            <source>Scale the part</source>
-            <translation>Teil skalieren</translation>
-        </message>
-        <message>
-            <source>Move the part</source>
-            <translation>Teil verschieben</translation>
-        </message>
-        <message>
-            <source>Move the plane</source>
-            <translation>Ebene verschieben</translation>
-        </message>
-        <message>
-            <source>Change the deformation's settings</source>
-            <translation>Einstellungen der Verformung ändern</translation>
-        </message>
-        <message>
-            <source>Change the block</source>
-            <translation>Block ändern</translation>
-        </message>
-    </context>
-    <context>
-        <name>design</name>
-        <message>
-            <source>The design was cancelled.</source>
-            <translation>Der Entwurf wurde abgebrochen.</translation>
-        </message>
-        <message>
-            <source>A closed piece of {2} mm lies wholly on side {0}, near {1}: it never meets the parting plane. Move the plane through it.</source>
-            <translation>Ein geschlossenes Stück von {2} mm liegt ganz auf Seite {0}, nahe {1}: es trifft die Trennebene nie. Die Ebene hindurchlegen.</translation>
-        </message>
-        <message>
-            <source>A handle of {2} mm stands on side {0}, near {1}: the mold cannot leave its hole. Move the plane through the hole, or fill it.</source>
-            <translation>Ein Henkel von {2} mm steht auf Seite {0}, nahe {1}: die Form kommt nicht aus seinem Loch. Die Ebene durch das Loch legen oder es füllen.</translation>
-        </message>
-        <message>
-            <source>An arch of {2} mm spans a gap on side {0}, near {1}: the mold under it cannot leave. Move the plane, or fill the gap.</source>
-            <translation>Ein Bogen von {2} mm überspannt eine Lücke auf Seite {0}, nahe {1}: die Form darunter kommt nicht heraus. Die Ebene verlegen oder die Lücke füllen.</translation>
-        </message>
-        <message>
-            <source>A pocket of air of {2} mm lies on side {0}, near {1}: the mold in it cannot leave. Move the plane, or fill the pocket.</source>
-            <translation>Eine Lufttasche von {2} mm liegt auf Seite {0}, nahe {1}: die Form darin kommt nicht heraus. Die Ebene verlegen oder die Tasche füllen.</translation>
-        </message>
-        <message>
-            <source>The parting line could not be inserted without the surface crossing itself.</source>
-            <translation>Die Trennlinie ließ sich nicht einfügen, ohne dass die Oberfläche sich selbst kreuzt.</translation>
-        </message>
-    </context>
-    <context>
-        <name>exchange</name>
-        <message>
-            <source>{0} could not be written: {1}.</source>
-            <translation>{0} ließ sich nicht schreiben: {1}.</translation>
-        </message>
-        <message>
-            <source>There is no file {0}.</source>
-            <translation>Es gibt keine Datei {0}.</translation>
-        </message>
-        <message>
-            <source>{0} is a folder, not a mesh file.</source>
-            <translation>{0} ist ein Ordner, keine Netzdatei.</translation>
-        </message>
-        <message>
-            <source>{0} is not a plain file.</source>
-            <translation>{0} ist keine gewöhnliche Datei.</translation>
-        </message>
-        <message>
-            <source>{0} could not be read: {1}.</source>
-            <translation>{0} ließ sich nicht lesen: {1}.</translation>
-        </message>
-        <message>
-            <source>The worker program's answer is incomplete.</source>
-            <translation>Die Antwort des Arbeiterprogramms ist unvollständig.</translation>
-        </message>
-        <message>
-            <source>{0} is an empty file.</source>
-            <translation>{0} ist eine leere Datei.</translation>
-        </message>
-        <message>
-            <source>{0} is in no format that Moldwright reads: STL, OBJ, PLY or OFF.</source>
-            <translation>{0} hat kein Format, das Moldwright liest: STL, OBJ, PLY oder OFF.</translation>
-        </message>
-        <message>
-            <source>{0}, line {1}: “{2}” is not understood in the header of a PLY file of version 1.0.</source>
-            <translation>{0}, Zeile {1}: „{2}“ ist im Kopf einer PLY-Datei der Version 1.0 nicht verständlich.</translation>
-        </message>
-        <message>
-            <source>{0} ends within its header: the line “end_header” is missing.</source>
-            <translation>{0} endet in seinem Kopf: die Zeile „end_header“ fehlt.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a face's corner is “{2}”, not the number of a point from 1 on.</source>
-            <translation>{0}, {1}: eine Flächenecke ist „{2}“, nicht die Nummer eines Punkts ab 1.</translation>
-        </message>
-        <message>
-            <source>{0} is not an OBJ file: it holds binary data.</source>
-            <translation>{0} ist keine OBJ-Datei: sie enthält Binärdaten.</translation>
-        </message>
-        <message>
-            <source>{0} ends too early: after {1} of {2} points and {3} of {4} faces.</source>
-            <translation>{0} endet zu früh: nach {1} von {2} Punkten und {3} von {4} Flächen.</translation>
-        </message>
-        <message>
-            <source>{0} holds points of other than three dimensions.</source>
-            <translation>{0} enthält Punkte mit anderer Dimension als drei.</translation>
-        </message>
-        <message>
-            <source>{0} is a binary OFF file; only OFF in text is read.</source>
-            <translation>{0} ist eine binäre OFF-Datei; nur OFF als Text wird gelesen.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: here should stand how many points and faces there are, not “{2}”.</source>
-            <translation>{0}, {1}: hier sollte stehen, wie viele Punkte und Flächen es gibt, nicht „{2}“.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a face of {2} corners needs as many numbers of points. The file may be cut off.</source>
-            <translation>{0}, {1}: eine Fläche mit {2} Ecken braucht ebenso viele Punktnummern. Die Datei ist vielleicht abgeschnitten.</translation>
-        </message>
-        <message>
-            <source>What follows the last face was ignored.</source>
-            <translation>Was auf die letzte Fläche folgt, wurde übergangen.</translation>
-        </message>
-        <message>
-            <source>{0} spare bytes at the end were ignored.</source>
-            <translation>{0} überzählige Bytes am Ende wurden übergangen.</translation>
-        </message>
-        <message>
-            <source>{0} holds its surface as tristrips (strips of triangles). Save it with plain faces.</source>
-            <translation>{0} enthält die Oberfläche als Dreiecksstreifen (tristrips). Mit einfachen Flächen speichern.</translation>
-        </message>
-        <message>
-            <source>{0} announces {1} times “{2}” but is too short to hold them.</source>
-            <translation>{0} kündigt {1}-mal „{2}“ an, ist dafür aber zu kurz.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a number is missing here, not finite, or not a number. The file may be cut off.</source>
-            <translation>{0}, {1}: hier fehlt eine Zahl, ist nicht endlich oder keine Zahl. Die Datei ist vielleicht abgeschnitten.</translation>
-        </message>
-        <message>
-            <source>{0} is not a PLY file: it does not begin with “ply”.</source>
-            <translation>{0} ist keine PLY-Datei: sie beginnt nicht mit „ply“.</translation>
-        </message>
-        <message>
-            <source>{0} announces {1} triangles but holds {2}. It is damaged, or not an STL file.</source>
-            <translation>{0} kündigt {1} Dreiecke an, enthält aber {2}. Sie ist beschädigt oder keine STL-Datei.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a facet ends too early. The file may be cut off.</source>
-            <translation>{0}, {1}: eine Facette endet zu früh. Die Datei ist vielleicht abgeschnitten.</translation>
-        </message>
-        <message>
-            <source>{0} is not an STL file: it is text that does not begin with “solid”.</source>
-            <translation>{0} ist keine STL-Datei: der Text beginnt nicht mit „solid“.</translation>
-        </message>
-        <message>
-            <source>{0} is {1} bytes long, too short for an STL file.</source>
-            <translation>{0} ist {1} Bytes lang, zu kurz für eine STL-Datei.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a point needs three numbers, but the line ends early.</source>
-            <translation>{0}, {1}: ein Punkt braucht drei Zahlen, die Zeile endet aber früher.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a point needs three finite numbers, but here stands “{2}”.</source>
-            <translation>{0}, {1}: ein Punkt braucht drei endliche Zahlen, hier steht aber „{2}“.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a coordinate is not a finite number.</source>
-            <translation>{0}, {1}: eine Koordinate ist keine endliche Zahl.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a face uses point {2}, which does not exist.</source>
-            <translation>{0}, {1}: eine Fläche verwendet Punkt {2}, den es nicht gibt.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a face has {2} corners; 3 to {3} are possible.</source>
-            <translation>{0}, {1}: eine Fläche hat {2} Ecken; möglich sind 3 bis {3}.</translation>
-        </message>
-        <message>
-            <source>{0} holds no triangles.</source>
-            <translation>{0} enthält keine Dreiecke.</translation>
-        </message>
-        <message>
-            <source>{0} holds {1} points but no faces.</source>
-            <translation>{0} enthält {1} Punkte, aber keine Flächen.</translation>
-        </message>
-        <message>
-            <source>{0}, {1}: a face uses point {2}, counted from 0, but there are only {3}.</source>
-            <translation>{0}, {1}: eine Fläche verwendet Punkt {2}, von 0 gezählt, es gibt aber nur {3}.</translation>
-        </message>
-        <message>
-            <source>TetGen found no inside to fill.</source>
-            <translation>TetGen fand kein Inneres zum Füllen.</translation>
-        </message>
-        <message>
-            <source>TetGen's answer does not keep the points of the surface.</source>
-            <translation>Die Antwort von TetGen behält die Punkte der Oberfläche nicht.</translation>
-        </message>
-        <message>
-            <source>TetGen's answer holds a flat tetrahedron.</source>
-            <translation>Die Antwort von TetGen enthält einen flachen Tetraeder.</translation>
-        </message>
-        <message>
-            <source>TetGen's answer fills {0} of the surface's volume of {1}.</source>
-            <translation>Die Antwort von TetGen füllt {0} vom Volumen {1} der Oberfläche.</translation>
-        </message>
-        <message>
-            <source>TetGen split {0} of the {1} faces of the surface.</source>
-            <translation>TetGen teilte {0} der {1} Flächen der Oberfläche.</translation>
-        </message>
-        <message>
-            <source>Stopped before the end.</source>
-            <translation>Vor dem Ende angehalten.</translation>
-        </message>
-        <message>
-            <source>The worker program was stopped after {0} seconds. A smaller mesh needs less time.</source>
-            <translation>Das Arbeiterprogramm wurde nach {0} Sekunden angehalten. Ein kleineres Netz braucht weniger Zeit.</translation>
-        </message>
-        <message>
-            <source>The worker program's answer is larger than its limit of {0} MB.</source>
-            <translation>Die Antwort des Arbeiterprogramms ist größer als die Grenze von {0} MB.</translation>
-        </message>
-        <message>
-            <source>The worker program was killed. The computer may be out of memory.</source>
-            <translation>Das Arbeiterprogramm wurde beendet. Vielleicht fehlt dem Rechner Speicher.</translation>
-        </message>
-        <message>
-            <source>The worker program crashed on this mesh (signal {0}).</source>
-            <translation>Das Arbeiterprogramm stürzte an diesem Netz ab (Signal {0}).</translation>
-        </message>
-        <message>
-            <source>The worker program ended without an answer (code {0}).</source>
-            <translation>Das Arbeiterprogramm endete ohne Antwort (Code {0}).</translation>
-        </message>
-        <message>
-            <source>The worker program {0} could not be started: {1}.</source>
-            <translation>Das Arbeiterprogramm {0} ließ sich nicht starten: {1}.</translation>
-        </message>
-    </context>
-    <context>
-        <name>mesh</name>
-        <message>
-            <source>{0} equal points were welded.</source>
-            <translation>{0} gleiche Punkte wurden verschmolzen.</translation>
-        </message>
-        <message>
-            <source>{0} faces that used a point twice were removed.</source>
-            <translation>{0} Flächen, die einen Punkt zweimal verwendeten, wurden entfernt.</translation>
-        </message>
-        <message>
-            <source>{0} repeated faces were removed.</source>
-            <translation>{0} doppelte Flächen wurden entfernt.</translation>
-        </message>
-        <message>
-            <source>{0} points within a millionth of the size of each other were welded.</source>
-            <translation>{0} Punkte, die höchstens ein Millionstel der Größe auseinanderlagen, wurden verschmolzen.</translation>
-        </message>
-        <message>
-            <source>The surface was inside out and was turned.</source>
-            <translation>Die Oberfläche war nach innen gekehrt und wurde umgedreht.</translation>
-        </message>
-        <message>
-            <source>{0} faces looked inward and were turned.</source>
-            <translation>{0} Flächen sahen nach innen und wurden umgedreht.</translation>
-        </message>
-        <message>
-            <source>{0} holds no faces.</source>
-            <translation>{0} enthält keine Flächen.</translation>
-        </message>
-        <message>
-            <source>{0} holds a coordinate that is not a finite number.</source>
-            <translation>{0} enthält eine Koordinate, die keine endliche Zahl ist.</translation>
-        </message>
-        <message>
-            <source>{0} measures {1} from corner to corner. No unit of length makes a part of that.</source>
-            <translation>{0} misst {1} von Ecke zu Ecke. Keine Längeneinheit macht daraus ein Teil.</translation>
-        </message>
-        <message>
-            <source>{0} of the {1} faces of {2} shrink to a line or a point. Its numbers have too few digits for its size or its place: write it with more digits, or nearer to the origin.</source>
-            <translation>{0} der {1} Flächen von {2} schrumpfen zu einer Linie oder einem Punkt. Die Zahlen haben zu wenige Stellen für Größe oder Lage: mit mehr Stellen oder näher am Ursprung schreiben.</translation>
-        </message>
-        <message>
-            <source>{0} consists of {1} separate solids.</source>
-            <translation>{0} besteht aus {1} getrennten Körpern.</translation>
-        </message>
-        <message>
-            <source>{0} encloses no volume, so there is nothing to cast.</source>
-            <translation>{0} umschließt kein Volumen, es gibt also nichts zu gießen.</translation>
-        </message>
-        <message>
-            <source>The surface of {0} has a hole, near {2}, so it has no inside to cast. Close it in the program that made the file.</source>
-            <translation>Die Oberfläche von {0} hat ein Loch, nahe {2}, also kein Inneres zum Gießen. Es in dem Programm schließen, das die Datei gemacht hat.</translation>
-        </message>
-        <message>
-            <source>The surface of {0} has {1} holes, one near {2}, so it has no inside to cast. Close them in the program that made the file.</source>
-            <translation>Die Oberfläche von {0} hat {1} Löcher, eines nahe {2}, also kein Inneres zum Gießen. Sie in dem Programm schließen, das die Datei gemacht hat.</translation>
-        </message>
-        <message>
-            <source>In {0} more than two faces meet at an edge: {1} faces are concerned, one near {2}. Separate the parts, or join them, in the program that made the file.</source>
-            <translation>In {0} treffen sich mehr als zwei Flächen an einer Kante: {1} Flächen sind betroffen, eine nahe {2}. Die Teile in dem Programm trennen oder vereinen, das die Datei gemacht hat.</translation>
-        </message>
-        <message>
-            <source>The surface of {0} touches itself in a single point, at {2}. Separate it there in the program that made the file.</source>
-            <translation>Die Oberfläche von {0} berührt sich in einem einzelnen Punkt, bei {2}. Sie dort in dem Programm trennen, das die Datei gemacht hat.</translation>
-        </message>
-        <message>
-            <source>The surface of {0} touches itself in {1} single points, one at {2}. Separate it there in the program that made the file.</source>
-            <translation>Die Oberfläche von {0} berührt sich in {1} einzelnen Punkten, einem bei {2}. Sie dort in dem Programm trennen, das die Datei gemacht hat.</translation>
-        </message>
-        <message>
-            <source>A face of {0} has no area, near {2}. Clean the mesh in the program that made the file.</source>
-            <translation>Eine Fläche von {0} hat keinen Inhalt, nahe {2}. Das Netz in dem Programm bereinigen, das die Datei gemacht hat.</translation>
-        </message>
-        <message>
-            <source>{1} faces of {0} have no area, one near {2}. Clean the mesh in the program that made the file.</source>
-            <translation>{1} Flächen von {0} haben keinen Inhalt, eine nahe {2}. Das Netz in dem Programm bereinigen, das die Datei gemacht hat.</translation>
-        </message>
-        <message>
-            <source>{0} crosses itself in one place, near {2}. A proof needs a surface that does not.</source>
-            <translation>{0} kreuzt sich selbst an einer Stelle, nahe {2}. Ein Beweis braucht eine Oberfläche, die das nicht tut.</translation>
-        </message>
-        <message>
-            <source>{0} crosses itself in {1} places, one near {2}. A proof needs a surface that does not.</source>
-            <translation>{0} kreuzt sich selbst an {1} Stellen, eine nahe {2}. Ein Beweis braucht eine Oberfläche, die das nicht tut.</translation>
-        </message>
-        <message>
-            <source>{0} holds a closed surface inside another, near {2}. A closed cavity cannot be cast in a two-piece mold. Remove it, or open it to the outside.</source>
-            <translation>{0} enthält eine geschlossene Oberfläche in einer anderen, nahe {2}. Ein geschlossener Hohlraum lässt sich in einer zweiteiligen Form nicht gießen. Ihn entfernen oder nach außen öffnen.</translation>
-        </message>
-        <message>
-            <source>{0} holds {1} closed surfaces inside others, one near {2}. A closed cavity cannot be cast in a two-piece mold. Remove them, or open them to the outside.</source>
-            <translation>{0} enthält {1} geschlossene Oberflächen in anderen, eine nahe {2}. Ein geschlossener Hohlraum lässt sich in einer zweiteiligen Form nicht gießen. Sie entfernen oder nach außen öffnen.</translation>
-        </message>
-        <message>
-            <source>The surface of {0} has only one side: its faces cannot all look outward, as near {1}. It has no inside to cast.</source>
-            <translation>Die Oberfläche von {0} hat nur eine Seite: ihre Flächen können nicht alle nach außen sehen, so nahe {1}. Sie hat kein Inneres zum Gießen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::Banner</name>
-        <message>
-            <source>Close this message</source>
-            <translation>Diese Meldung schließen</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::CommandSearch</name>
-        <message>
-            <source>Find a command</source>
-            <translation>Befehl suchen</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::Dock</name>
-        <message>
-            <source>Float or dock %1</source>
-            <translation>%1 lösen oder andocken</translation>
-        </message>
-        <message>
-            <source>Close %1</source>
-            <translation>%1 schließen</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::ImportDialog</name>
-        <message>
-            <source>Size of %1</source>
-            <translation>Größe von %1</translation>
-        </message>
-        <message>
-            <source>This part is %1 units long. What is one unit?</source>
-            <translation>Dieses Teil ist %1 Einheiten lang. Was ist eine Einheit?</translation>
-        </message>
-        <message>
-            <source>Millimetre</source>
-            <translation>Millimeter</translation>
-        </message>
-        <message>
-            <source>Centimetre</source>
-            <translation>Zentimeter</translation>
-        </message>
-        <message>
-            <source>Metre</source>
-            <translation>Meter</translation>
-        </message>
-        <message>
-            <source>Inch</source>
-            <translation>Zoll</translation>
-        </message>
-        <message>
-            <source>Another size</source>
-            <translation>Andere Größe</translation>
-        </message>
-        <message>
-            <source>&amp;Unit</source>
-            <translation>&amp;Einheit</translation>
-        </message>
-        <message>
-            <source>&amp;Longest side</source>
-            <translation>&amp;Längste Seite</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <source>Open the part</source>
-            <translation>Teil öffnen</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::KeySheet</name>
-        <message>
-            <source>Orbit about the point under the pointer</source>
-            <translation>Um den Punkt unter dem Zeiger drehen</translation>
-        </message>
-        <message>
-            <source>Pan</source>
-            <translation>Verschieben</translation>
-        </message>
-        <message>
-            <source>Zoom to the pointer</source>
-            <translation>Zum Zeiger zoomen</translation>
-        </message>
-        <message>
-            <source>Wheel</source>
-            <translation>Rad</translation>
-        </message>
-        <message>
-            <source>Mouse: %1</source>
-            <translation>Maus: %1</translation>
-        </message>
-        <message>
-            <source>Ctrl</source>
-            <translation>Strg</translation>
-        </message>
-        <message>
-            <source>Shift</source>
-            <translation>Umschalt</translation>
-        </message>
-        <message>
-            <source>Alt</source>
-            <translation>Alt</translation>
-        </message>
-        <message>
-            <source>left button</source>
-            <translation>linke Taste</translation>
-        </message>
-        <message>
-            <source>middle button</source>
-            <translation>mittlere Taste</translation>
-        </message>
-        <message>
-            <source>right button</source>
-            <translation>rechte Taste</translation>
-        </message>
-        <message>
-            <source>Keys and mouse</source>
-            <translation>Tasten und Maus</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::MainWindow</name>
-        <message>
-            <source>%1 to plane normal</source>
-            <translation>%1 zur Ebenennormalen</translation>
-        </message>
-        <message>
-            <source>Opened</source>
-            <translation>Geöffnet</translation>
-        </message>
-        <message>
-            <source>Moldwright</source>
-            <translation>Moldwright</translation>
-        </message>
-        <message>
-            <source>%1 (changed) · Moldwright</source>
-            <translation>%1 (geändert) · Moldwright</translation>
-        </message>
-        <message>
-            <source>%1 · Moldwright</source>
-            <translation>%1 · Moldwright</translation>
-        </message>
-        <message>
-            <source>&lt;b&gt;?&lt;/b&gt; shows all keys.</source>
-            <translation>&lt;b&gt;?&lt;/b&gt; zeigt alle Tasten.</translation>
-        </message>
-        <message>
-            <source>Open a part, drop one here, or choose a sample. %1</source>
-            <translation>Ein Teil öffnen, hier ablegen oder ein Beispiel wählen. %1</translation>
-        </message>
-        <message>
-            <source>&lt;b&gt;Click&lt;/b&gt; the face that shall lie on the ground. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
-            <translation>Die Fläche &lt;b&gt;anklicken&lt;/b&gt;, die auf dem Boden liegen soll. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
-        </message>
-        <message>
-            <source>The part bends. &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
-            <translation>Das Teil biegt sich. &lt;b&gt;Strg+.&lt;/b&gt; hält an.</translation>
-        </message>
-        <message>
-            <source>&lt;b&gt;X&lt;/b&gt; opens and closes the mold. %1</source>
-            <translation>&lt;b&gt;X&lt;/b&gt; öffnet und schließt die Form. %1</translation>
-        </message>
-        <message>
-            <source>&lt;b&gt;Drag&lt;/b&gt; a grip of the plane to move or tilt it, with &lt;b&gt;Ctrl&lt;/b&gt; in whole steps. %1</source>
-            <translation>Einen Griff der Ebene &lt;b&gt;ziehen&lt;/b&gt;, um sie zu schieben oder zu neigen, mit &lt;b&gt;Strg&lt;/b&gt; in ganzen Schritten. %1</translation>
-        </message>
-        <message>
-            <source>Directions along the normal</source>
-            <translation>Richtungen entlang der Normalen</translation>
-        </message>
-        <message>
-            <source>Saved %1</source>
-            <translation>Gespeichert %1</translation>
-        </message>
-        <message>
-            <source>Move the plane</source>
-            <translation>Ebene verschieben</translation>
-        </message>
-        <message>
-            <source>Save the project</source>
-            <translation>Projekt speichern</translation>
-        </message>
-        <message>
-            <source>Moldwright projects (*.moldwright)</source>
-            <translation>Moldwright-Projekte (*.moldwright)</translation>
-        </message>
-        <message>
-            <source>%1 has changes that are not saved.</source>
-            <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>Speichern</translation>
-        </message>
-        <message>
-            <source>Close without saving</source>
-            <translation>Schließen ohne Speichern</translation>
-        </message>
-        <message>
-            <source>Keep it open</source>
-            <translation>Offen lassen</translation>
-        </message>
-        <message>
-            <source>Open a part</source>
-            <translation>Teil öffnen</translation>
-        </message>
-        <message>
-            <source>Parts and projects (*.stl *.obj *.ply *.off *.moldwright);;All files (*)</source>
-            <translation>Teile und Projekte (*.stl *.obj *.ply *.off *.moldwright);;Alle Dateien (*)</translation>
-        </message>
-        <message>
-            <source>Export the shape</source>
-            <translation>Form exportieren</translation>
-        </message>
-        <message>
-            <source>STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;OFF (*.off)</source>
-            <translation>STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;OFF (*.off)</translation>
-        </message>
-        <message>
-            <source>Folder for the halves</source>
-            <translation>Ordner für die Hälften</translation>
-        </message>
-        <message>
-            <source>Print the report</source>
-            <translation>Bericht drucken</translation>
-        </message>
-        <message>
-            <source>PDF (*.pdf)</source>
-            <translation>PDF (*.pdf)</translation>
-        </message>
-        <message>
-            <source>Save a picture</source>
-            <translation>Bild speichern</translation>
-        </message>
-        <message>
-            <source>PNG pictures (*.png)</source>
-            <translation>PNG-Bilder (*.png)</translation>
-        </message>
-        <message>
-            <source>The picture could not be written to %1.</source>
-            <translation>Das Bild konnte nicht nach %1 geschrieben werden.</translation>
-        </message>
-        <message>
-            <source>About Moldwright</source>
-            <translation>Über Moldwright</translation>
-        </message>
-        <message>
-            <source>Takes any closed mesh to a castable shape and a proved two-piece mold, after Stein et al. 2019. Free software under the GNU AGPL 3 or later. Built on Qt, VTK, CGAL, OpenMesh, Eigen, TetGen and oneTBB.</source>
-            <translation>Bringt jedes geschlossene Netz zu einer gießbaren Form und einer bewiesenen zweiteiligen Gussform, nach Stein u. a. 2019. Freie Software unter der GNU AGPL 3 oder neuer. Gebaut mit Qt, VTK, CGAL, OpenMesh, Eigen, TetGen und oneTBB.</translation>
-        </message>
-        <message>
-            <source>&amp;Panels</source>
-            <translation>&amp;Felder</translation>
-        </message>
-        <message>
-            <source>Lan&amp;guage</source>
-            <translation>S&amp;prache</translation>
-        </message>
-        <message>
-            <source>Mouse &amp;navigation</source>
-            <translation>Maus&amp;steuerung</translation>
-        </message>
-        <message>
-            <source>Like the desktop</source>
-            <translation>Wie der Schreibtisch</translation>
-        </message>
-        <message>
-            <source>Navigation: %1</source>
-            <translation>Steuerung: %1</translation>
-        </message>
-        <message>
-            <source>Part</source>
-            <translation>Teil</translation>
-        </message>
-        <message>
-            <source>Plane</source>
-            <translation>Ebene</translation>
-        </message>
-        <message>
-            <source>Deform</source>
-            <translation>Verformen</translation>
-        </message>
-        <message>
-            <source>Check</source>
-            <translation>Prüfen</translation>
-        </message>
-        <message>
-            <source>Mold</source>
-            <translation>Form</translation>
-        </message>
-        <message>
-            <source>Report</source>
-            <translation>Bericht</translation>
-        </message>
-        <message>
-            <source>Front</source>
-            <translation>Vorn</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>Hinten</translation>
-        </message>
-        <message>
-            <source>Left</source>
-            <translation>Links</translation>
-        </message>
-        <message>
-            <source>Right</source>
-            <translation>Rechts</translation>
-        </message>
-        <message>
-            <source>Top</source>
-            <translation>Oben</translation>
-        </message>
-        <message>
-            <source>Bottom</source>
-            <translation>Unten</translation>
-        </message>
-        <message>
-            <source>History</source>
-            <translation>Verlauf</translation>
-        </message>
-        <message>
-            <source>Every edit appears here. Click one to go back to it.</source>
-            <translation>Jede Änderung erscheint hier. Ein Klick führt zu ihr zurück.</translation>
-        </message>
-        <message>
-            <source>Project</source>
-            <translation>Projekt</translation>
-        </message>
-        <message>
-            <source>Properties</source>
-            <translation>Eigenschaften</translation>
-        </message>
-        <message>
-            <source>Progress</source>
-            <translation>Fortschritt</translation>
-        </message>
-        <message>
-            <source>Messages</source>
-            <translation>Meldungen</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::MessageList</name>
-        <message>
-            <source>Messages</source>
-            <translation>Meldungen</translation>
-        </message>
-        <message>
-            <source>Nothing to report.</source>
-            <translation>Nichts zu melden.</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::PartView</name>
-        <message>
-            <source>View of the part</source>
-            <translation>Ansicht des Teils</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::ProgressPlots</name>
-        <message>
-            <source>Energy, worst draft and violating area over the steps</source>
-            <translation>Energie, kleinste Schräge und verletzende Fläche über den Schritten</translation>
-        </message>
-        <message>
-            <source>Energy</source>
-            <translation>Energie</translation>
-        </message>
-        <message>
-            <source>Worst draft</source>
-            <translation>Kleinste Schräge</translation>
-        </message>
-        <message>
-            <source>Area below %1°</source>
-            <translation>Fläche unter %1°</translation>
-        </message>
-        <message>
-            <source>A run draws energy, worst draft and area here, step by step.</source>
-            <translation>Ein Lauf zeichnet hier Schritt für Schritt Energie, Schräge und Fläche.</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::ProjectModel</name>
-        <message>
-            <source>shown</source>
-            <translation>sichtbar</translation>
-        </message>
-        <message>
-            <source>hidden</source>
-            <translation>verborgen</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::ProjectTree</name>
-        <message>
-            <source>Project</source>
-            <translation>Projekt</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::PropertyPanel</name>
-        <message>
-            <source>Properties</source>
-            <translation>Eigenschaften</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::StartPage</name>
-        <message>
-            <source>Start</source>
-            <translation>Start</translation>
-        </message>
-        <message>
-            <source>Or drop a file anywhere: STL, OBJ, PLY, OFF, Moldwright projects.</source>
-            <translation>Oder eine Datei irgendwo ablegen: STL, OBJ, PLY, OFF, Moldwright-Projekte.</translation>
-        </message>
-        <message>
-            <source>Recent</source>
-            <translation>Zuletzt</translation>
-        </message>
-        <message>
-            <source>Clear list</source>
-            <translation>Liste leeren</translation>
-        </message>
-        <message>
-            <source>Samples</source>
-            <translation>Beispiele</translation>
-        </message>
-        <message>
-            <source>Closed parts that you would really cast. Each opens as a copy.</source>
-            <translation>Geschlossene Teile, die man wirklich gießen würde. Jedes öffnet sich als Kopie.</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::StatusProgress</name>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::ViewBar</name>
-        <message>
-            <source>Tools of the view</source>
-            <translation>Werkzeuge der Ansicht</translation>
-        </message>
-        <message>
-            <source>Show</source>
-            <translation>Zeige</translation>
-        </message>
-        <message>
-            <source>Undercuts</source>
-            <translation>Hinterschnitte</translation>
-        </message>
-        <message>
-            <source>Draft map</source>
-            <translation>Schrägenkarte</translation>
-        </message>
-        <message>
-            <source>Plain</source>
-            <translation>Schlicht</translation>
-        </message>
-        <message>
-            <source>What the faces show</source>
-            <translation>Was die Flächen zeigen</translation>
-        </message>
-        <message>
-            <source>How far the mold is open</source>
-            <translation>Wie weit die Form offen ist</translation>
-        </message>
-        <message>
-            <source>Mold closed</source>
-            <translation>Form zu</translation>
-        </message>
-        <message>
-            <source>open</source>
-            <translation>offen</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::Workbench</name>
-        <message>
-            <source>Something inside Moldwright broke; your work is as it was.</source>
-            <translation>In Moldwright ist etwas kaputtgegangen; die Arbeit ist, wie sie war.</translation>
-        </message>
-        <message>
-            <source>%1 was stopped.</source>
-            <translation>%1 wurde angehalten.</translation>
-        </message>
-        <message>
-            <source>Turn the part</source>
-            <translation>Teil drehen</translation>
-        </message>
-        <message>
-            <source>Lay the part flat</source>
-            <translation>Teil hinlegen</translation>
-        </message>
-        <message>
-            <source>Move the part to the middle</source>
-            <translation>Teil in die Mitte rücken</translation>
-        </message>
-        <message>
-            <source>Restore the original shape</source>
-            <translation>Ursprüngliche Form</translation>
-        </message>
-        <message>
-            <source>Rename</source>
-            <translation>Umbenennen</translation>
-        </message>
-        <message>
-            <source>Searching planes</source>
-            <translation>Ebenensuche</translation>
-        </message>
-        <message>
-            <source>The search for planes was stopped.</source>
-            <translation>Die Ebenensuche wurde angehalten.</translation>
-        </message>
-        <message>
-            <source>Best plane</source>
-            <translation>Beste Ebene</translation>
-        </message>
-        <message>
-            <source>Plane %1 of the search</source>
-            <translation>Ebene %1 der Suche</translation>
-        </message>
-        <message>
-            <source>Plane %1 of %2 taken: %3 % of the surface below %4°.</source>
-            <translation>Ebene %1 von %2 genommen: %3 % der Oberfläche unter %4°.</translation>
-        </message>
-        <message>
-            <source>Searching directions</source>
-            <translation>Richtungssuche</translation>
-        </message>
-        <message>
-            <source>Best directions</source>
-            <translation>Beste Richtungen</translation>
-        </message>
-        <message>
-            <source>Deforming</source>
-            <translation>Verformung</translation>
-        </message>
-        <message>
-            <source>Deform</source>
-            <translation>Verformen</translation>
-        </message>
-        <message>
-            <source>Castable: proved at %1°, mean distance to the part %2 % of its diagonal.</source>
-            <translation>Gießbar: bewiesen bei %1°, mittlerer Abstand zum Teil %2 % seiner Diagonale.</translation>
-        </message>
-        <message>
-            <source>Not castable yet: %1</source>
-            <translation>Noch nicht gießbar: %1</translation>
-        </message>
-        <message>
-            <source>Building the mold</source>
-            <translation>Formenbau</translation>
-        </message>
-        <message>
-            <source>Mold built: both halves are proved to come off.</source>
-            <translation>Form gebaut: beide Hälften lassen sich bewiesen abziehen.</translation>
-        </message>
-        <message>
-            <source>Opening %1</source>
-            <translation>%1 wird geöffnet</translation>
-        </message>
-        <message>
-            <source>Opening</source>
-            <translation>Öffnen</translation>
-        </message>
-        <message>
-            <source>%1 opened.</source>
-            <translation>%1 geöffnet.</translation>
-        </message>
-        <message>
-            <source>Saving %1</source>
-            <translation>%1 wird gespeichert</translation>
-        </message>
-        <message>
-            <source>Saving</source>
-            <translation>Speichern</translation>
-        </message>
-        <message>
-            <source>%1 opened: %2 × %3 × %4 mm, closed.</source>
-            <translation>%1 geöffnet: %2 × %3 × %4 mm, geschlossen.</translation>
-        </message>
-        <message>
-            <source>The shape was not written: the file's name must end in stl, ply, obj or off.</source>
-            <translation>Die Form wurde nicht geschrieben: der Dateiname muss auf stl, ply, obj oder off enden.</translation>
-        </message>
-        <message>
-            <source>Writing %1</source>
-            <translation>%1 wird geschrieben</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>Export</translation>
-        </message>
-        <message>
-            <source>Shape written to %1.</source>
-            <translation>Form nach %1 geschrieben.</translation>
-        </message>
-        <message>
-            <source>Writing the halves</source>
-            <translation>Hälften werden geschrieben</translation>
-        </message>
-        <message>
-            <source>Mold halves written to %1.</source>
-            <translation>Formhälften nach %1 geschrieben.</translation>
-        </message>
-        <message>
-            <source>moldwright-render could not be started.</source>
-            <translation>moldwright-render ließ sich nicht starten.</translation>
-        </message>
-        <message>
-            <source>It was stopped.</source>
-            <translation>Er wurde angehalten.</translation>
-        </message>
-        <message>
-            <source>Drawing the report</source>
-            <translation>Bericht wird gezeichnet</translation>
-        </message>
-        <message>
-            <source>The report was not written. %1</source>
-            <translation>Der Bericht wurde nicht geschrieben. %1</translation>
-        </message>
-        <message>
-            <source>The report was not written.</source>
-            <translation>Der Bericht wurde nicht geschrieben.</translation>
-        </message>
-        <message>
-            <source>Report written to %1.</source>
-            <translation>Bericht nach %1 geschrieben.</translation>
-        </message>
-    </context>
-    <context>
-        <name>moldwright::WorkflowBar</name>
-        <message>
-            <source>Workflow</source>
-            <translation>Arbeitsablauf</translation>
-        </message>
-    </context>
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Open a part…</source>
+        <translation>Teil &amp;öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a mesh (STL, OBJ, PLY, OFF) or a Moldwright project.</source>
+        <translation>Ein Netz (STL, OBJ, PLY, OFF) oder ein Moldwright-Projekt öffnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Close the part</source>
+        <translation>Teil s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close the part and go back to the start page.</source>
+        <translation>Das Teil schließen und zur Startseite zurückkehren.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project to its file.</source>
+        <translation>Das Projekt in seine Datei speichern.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the project to another file.</source>
+        <translation>Das Projekt in eine andere Datei speichern.</translation>
+    </message>
+    <message>
+        <source>&amp;Export the shape…</source>
+        <translation>&amp;Form exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the shape in view as STL, PLY, OBJ or OFF.</source>
+        <translation>Die gezeigte Form als STL, PLY, OBJ oder OFF schreiben.</translation>
+    </message>
+    <message>
+        <source>Export the &amp;halves…</source>
+        <translation>&amp;Hälften exportieren …</translation>
+    </message>
+    <message>
+        <source>Write both mold halves into a folder.</source>
+        <translation>Beide Formhälften in einen Ordner schreiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close Moldwright.</source>
+        <translation>Moldwright schließen.</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last edit back.</source>
+        <translation>Die letzte Änderung zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Do the edit again.</source>
+        <translation>Die Änderung wiederholen.</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command</source>
+        <translation>Befehl &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Find any command by its words.</source>
+        <translation>Jeden Befehl anhand seiner Wörter finden.</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Fit all</source>
+        <translation>Alles &amp;einpassen</translation>
+    </message>
+    <message>
+        <source>Bring everything into sight.</source>
+        <translation>Alles ins Bild holen.</translation>
+    </message>
+    <message>
+        <source>&amp;Home view</source>
+        <translation>&amp;Grundansicht</translation>
+    </message>
+    <message>
+        <source>Look from the front, right and above.</source>
+        <translation>Von vorn, rechts und oben sehen.</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Look from the front.</source>
+        <translation>Von vorn sehen.</translation>
+    </message>
+    <message>
+        <source>R&amp;ight</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Look from the right.</source>
+        <translation>Von rechts sehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Look from above.</source>
+        <translation>Von oben sehen.</translation>
+    </message>
+    <message>
+        <source>Opp&amp;osite</source>
+        <translation>Ge&amp;genseite</translation>
+    </message>
+    <message>
+        <source>Look from the other side.</source>
+        <translation>Von der anderen Seite sehen.</translation>
+    </message>
+    <message>
+        <source>At the parting plane</source>
+        <translation>Auf die Trennebene</translation>
+    </message>
+    <message>
+        <source>Look along the normal of the parting plane.</source>
+        <translation>Entlang der Normalen der Trennebene sehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Show depth as the eye sees it, or without.</source>
+        <translation>Tiefe zeigen, wie das Auge sie sieht, oder ohne.</translation>
+    </message>
+    <message>
+        <source>&amp;Undercuts</source>
+        <translation>&amp;Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Paint the faces below the required draft red.</source>
+        <translation>Flächen unter der verlangten Schräge rot zeigen.</translation>
+    </message>
+    <message>
+        <source>&amp;Draft map</source>
+        <translation>&amp;Schrägenkarte</translation>
+    </message>
+    <message>
+        <source>Paint every face by its draft angle.</source>
+        <translation>Jede Fläche nach ihrer Entformungsschräge färben.</translation>
+    </message>
+    <message>
+        <source>P&amp;lain</source>
+        <translation>S&amp;chlicht</translation>
+    </message>
+    <message>
+        <source>Show the shape alone.</source>
+        <translation>Nur die Form zeigen.</translation>
+    </message>
+    <message>
+        <source>Parting plane</source>
+        <translation>Trennebene</translation>
+    </message>
+    <message>
+        <source>Show or hide the parting plane.</source>
+        <translation>Die Trennebene zeigen oder verbergen.</translation>
+    </message>
+    <message>
+        <source>Removal directions</source>
+        <translation>Entformungsrichtungen</translation>
+    </message>
+    <message>
+        <source>Show or hide both removal directions.</source>
+        <translation>Beide Entformungsrichtungen zeigen oder verbergen.</translation>
+    </message>
+    <message>
+        <source>Mesh edges</source>
+        <translation>Netzkanten</translation>
+    </message>
+    <message>
+        <source>Show or hide the edges of the faces.</source>
+        <translation>Die Kanten der Flächen zeigen oder verbergen.</translation>
+    </message>
+    <message>
+        <source>See-through</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>Show the shape as if it were glass.</source>
+        <translation>Die Form zeigen, als wäre sie aus Glas.</translation>
+    </message>
+    <message>
+        <source>Save a picture…</source>
+        <translation>Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Write the view as a PNG picture.</source>
+        <translation>Die Ansicht als PNG-Bild schreiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>&amp;Teil</translation>
+    </message>
+    <message>
+        <source>&amp;Lay flat on a face</source>
+        <translation>Auf eine Fläche &amp;legen</translation>
+    </message>
+    <message>
+        <source>Click the face that shall lie on the ground. Esc leaves.</source>
+        <translation>Die Fläche anklicken, die auf dem Boden liegen soll. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;X</source>
+        <translation>Um &amp;X drehen</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about the x axis.</source>
+        <translation>Das Teil um 90° um die x-Achse drehen.</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;Y</source>
+        <translation>Um &amp;Y drehen</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about the y axis.</source>
+        <translation>Das Teil um 90° um die y-Achse drehen.</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;Z</source>
+        <translation>Um &amp;Z drehen</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about the z axis.</source>
+        <translation>Das Teil um 90° um die z-Achse drehen.</translation>
+    </message>
+    <message>
+        <source>Move to the &amp;middle</source>
+        <translation>In die &amp;Mitte rücken</translation>
+    </message>
+    <message>
+        <source>Put the middle of the part above the origin, on the ground.</source>
+        <translation>Die Mitte des Teils über den Ursprung stellen, auf den Boden.</translation>
+    </message>
+    <message>
+        <source>P&amp;lane</source>
+        <translation>&amp;Ebene</translation>
+    </message>
+    <message>
+        <source>&amp;Best plane</source>
+        <translation>&amp;Beste Ebene</translation>
+    </message>
+    <message>
+        <source>Search all planes for the one that leaves the least to deform.</source>
+        <translation>Unter allen Ebenen die suchen, bei der am wenigsten zu verformen bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Next best plane</source>
+        <translation>&amp;Nächstbeste Ebene</translation>
+    </message>
+    <message>
+        <source>Take the next plane of the last search.</source>
+        <translation>Die nächste Ebene der letzten Suche nehmen.</translation>
+    </message>
+    <message>
+        <source>Best &amp;directions</source>
+        <translation>Beste &amp;Richtungen</translation>
+    </message>
+    <message>
+        <source>Tilt both directions to where the least is left to deform.</source>
+        <translation>Beide Richtungen dorthin neigen, wo am wenigsten zu verformen bleibt.</translation>
+    </message>
+    <message>
+        <source>Directions along the &amp;normal</source>
+        <translation>Richtungen entlang der N&amp;ormalen</translation>
+    </message>
+    <message>
+        <source>Let both halves leave straight along the plane&apos;s normal.</source>
+        <translation>Beide Hälften gerade entlang der Ebenennormalen abziehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Deform</source>
+        <translation>&amp;Verformen</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Start</translation>
+    </message>
+    <message>
+        <source>Bend the part until it leaves the mold, and prove it.</source>
+        <translation>Das Teil biegen, bis es sich entformen lässt, und dies beweisen.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Halt</translation>
+    </message>
+    <message>
+        <source>Stop; the part stays as it was.</source>
+        <translation>Anhalten; das Teil bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>Restore original shape</source>
+        <translation>Ursprüngliche Form</translation>
+    </message>
+    <message>
+        <source>Back to the undeformed part; the plane stays.</source>
+        <translation>Zurück zum unverformten Teil; die Ebene bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Mold</source>
+        <translation>&amp;Form</translation>
+    </message>
+    <message>
+        <source>&amp;Build mold</source>
+        <translation>Form &amp;bauen</translation>
+    </message>
+    <message>
+        <source>Make both mold halves around the cast, and prove that they come off.</source>
+        <translation>Beide Formhälften um den Guss bauen und beweisen, dass sie sich abziehen lassen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open or close the mold</source>
+        <translation>Form &amp;öffnen oder schließen</translation>
+    </message>
+    <message>
+        <source>Move the halves apart along their directions, or together.</source>
+        <translation>Die Hälften entlang ihrer Richtungen auseinander- oder zusammenfahren.</translation>
+    </message>
+    <message>
+        <source>&amp;Report</source>
+        <translation>&amp;Bericht</translation>
+    </message>
+    <message>
+        <source>&amp;Print report…</source>
+        <translation>Bericht &amp;drucken …</translation>
+    </message>
+    <message>
+        <source>Make a PDF with pictures, draft, volumes and the proof.</source>
+        <translation>Ein PDF mit Bildern, Schräge, Volumen und dem Beweis machen.</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Use the light theme.</source>
+        <translation>Helle Farben verwenden.</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Use the dark theme.</source>
+        <translation>Dunkle Farben verwenden.</translation>
+    </message>
+    <message>
+        <source>Like the desk&amp;top</source>
+        <translation>Wie der &amp;Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Follow the desktop&apos;s colours.</source>
+        <translation>Den Farben des Schreibtischs folgen.</translation>
+    </message>
+    <message>
+        <source>Next area</source>
+        <translation>Nächster Bereich</translation>
+    </message>
+    <message>
+        <source>Move the keyboard to the next area of the window.</source>
+        <translation>Die Tastatur in den nächsten Bereich des Fensters bringen.</translation>
+    </message>
+    <message>
+        <source>Previous area</source>
+        <translation>Voriger Bereich</translation>
+    </message>
+    <message>
+        <source>Move the keyboard to the previous area of the window.</source>
+        <translation>Die Tastatur in den vorigen Bereich des Fensters bringen.</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they were at first.</source>
+        <translation>Alle Felder dorthin stellen, wo sie anfangs waren.</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Show all keys on one sheet.</source>
+        <translation>Alle Tasten auf einem Blatt zeigen.</translation>
+    </message>
+    <message>
+        <source>&amp;About Moldwright</source>
+        <translation>&amp;Über Moldwright</translation>
+    </message>
+    <message>
+        <source>Version, licence, libraries.</source>
+        <translation>Version, Lizenz, Bibliotheken.</translation>
+    </message>
+    <message>
+        <source>Tu&amp;rn by an angle…</source>
+        <translation>Um einen &amp;Winkel drehen…</translation>
+    </message>
+    <message>
+        <source>Turn the part about an axis, by any angle.</source>
+        <translation>Das Teil um eine Achse drehen, um jeden Winkel.</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>&amp;Fertigstellen</translation>
+    </message>
+    <message>
+        <source>Bend no further: finish the shape from where it is, and prove it.</source>
+        <translation>Nicht weiter biegen: die Form von hier aus fertigstellen und beweisen.</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Hold the shape where it is, or bend it further.</source>
+        <translation>Die Form festhalten, wo sie ist, oder weiter biegen.</translation>
+    </message>
+</context>
+<context>
+    <name>MessageDelegate</name>
+    <message>
+        <source>Show me</source>
+        <translation>Zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>Mold</name>
+    <message>
+        <source>No mold can be built round this cast. {0} Finish the cast first.</source>
+        <translation>Um diesen Guss lässt sich keine Form bauen. {0} Erst den Guss fertigstellen.</translation>
+    </message>
+    <message>
+        <source>Building the mold was cancelled.</source>
+        <translation>Der Formenbau wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The parting face could not be built: the parting curves cross.</source>
+        <translation>Die Trennfläche ließ sich nicht bauen: die Trennlinien kreuzen sich.</translation>
+    </message>
+    <message>
+        <source>The folder {0} could not be made: {1}.</source>
+        <translation>Der Ordner {0} ließ sich nicht anlegen: {1}.</translation>
+    </message>
+    <message>
+        <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
+        <translation>Die 3MF-Datei ließ sich nicht schreiben: lib3mf scheiterte an {0}.</translation>
+    </message>
+</context>
+<context>
+    <name>Pictures</name>
+    <message>
+        <source>Pictures cannot be drawn on this machine: OpenGL {0}.</source>
+        <translation>Auf diesem Rechner lassen sich keine Bilder zeichnen: OpenGL {0}.</translation>
+    </message>
+</context>
+<context>
+    <name>Presentation</name>
+    <message>
+        <source>Running, step %1</source>
+        <translation>Läuft, Schritt %1</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Not started</source>
+        <translation>Nicht begonnen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>Waits for Deform</source>
+        <translation>Wartet auf Verformen</translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation>Wird geprüft</translation>
+    </message>
+    <message>
+        <source>Proved at %1</source>
+        <translation>Bewiesen bei %1</translation>
+    </message>
+    <message>
+        <source>Not proved</source>
+        <translation>Nicht bewiesen</translation>
+    </message>
+    <message>
+        <source>Proved</source>
+        <translation>Bewiesen</translation>
+    </message>
+    <message>
+        <source>%1 to level</source>
+        <translation>%1 zur Waagrechten</translation>
+    </message>
+    <message>
+        <source>%1, closed</source>
+        <translation>%1, geschlossen</translation>
+    </message>
+    <message>
+        <source>Not chosen yet</source>
+        <translation>Noch nicht gewählt</translation>
+    </message>
+    <message>
+        <source>Number %1 of %2</source>
+        <translation>Nummer %1 von %2</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Gewählt</translation>
+    </message>
+    <message>
+        <source>Ready to print</source>
+        <translation>Druckbereit</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 Flächen</translation>
+    </message>
+    <message>
+        <source>Parting plane</source>
+        <translation>Trennebene</translation>
+    </message>
+    <message>
+        <source>Direction %1</source>
+        <translation>Richtung %1</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Cast</source>
+        <translation>Guss</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Half 1</source>
+        <translation>Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Half 2</source>
+        <translation>Hälfte 2</translation>
+    </message>
+    <message>
+        <source>No part open</source>
+        <translation>Kein Teil offen</translation>
+    </message>
+    <message>
+        <source>Open a mesh or a sample</source>
+        <translation>Ein Netz oder Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Castable and opens</source>
+        <translation>Gießbar und öffnet sich</translation>
+    </message>
+    <message>
+        <source>Cast and halves proved at %1 draft</source>
+        <translation>Guss und Hälften bewiesen bei %1 Schräge</translation>
+    </message>
+    <message>
+        <source>Castable</source>
+        <translation>Gießbar</translation>
+    </message>
+    <message>
+        <source>Proved at %1 draft, %2 required</source>
+        <translation>Bewiesen bei %1 Schräge, %2 verlangt</translation>
+    </message>
+    <message>
+        <source>Not castable yet</source>
+        <translation>Noch nicht gießbar</translation>
+    </message>
+    <message>
+        <source>Measuring the draft</source>
+        <translation>Die Schräge wird gemessen</translation>
+    </message>
+    <message>
+        <source>%1 of the surface below %2</source>
+        <translation>%1 der Oberfläche unter %2</translation>
+    </message>
+    <message>
+        <source>No undercut seen; Run proves it</source>
+        <translation>Kein Hinterschnitt zu sehen; Start beweist es</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Draft below %1</source>
+        <translation>Schräge unter %1</translation>
+    </message>
+    <message>
+        <source>Draft %1 or more</source>
+        <translation>Schräge %1 oder mehr</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Schräge</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>Step %1, live</source>
+        <translation>Schritt %1, live</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>Part as opened</source>
+        <translation>Teil wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Step %1, paused</source>
+        <translation>Schritt %1, angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>Project</name>
+    <message>
+        <source>The project file could not be put together.</source>
+        <translation>Die Projektdatei ließ sich nicht zusammenstellen.</translation>
+    </message>
+    <message>
+        <source>The evaluation was cancelled.</source>
+        <translation>Die Auswertung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its part {1} is missing or cannot be read. Open an older copy of the project.</source>
+        <translation>{0} ist beschädigt: der Bestandteil {1} fehlt oder ist unlesbar. Eine ältere Kopie des Projekts öffnen.</translation>
+    </message>
+    <message>
+        <source>{0} was saved by a newer Moldwright. A program that reads format {1} is needed; this one reads up to {2}.</source>
+        <translation>{0} wurde von einem neueren Moldwright gespeichert. Nötig ist ein Programm für Format {1}; dieses liest bis {2}.</translation>
+    </message>
+    <message>
+        <source>{0} is not a Moldwright project.</source>
+        <translation>{0} ist kein Moldwright-Projekt.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be opened: {1}.</source>
+        <translation>{0} lässt sich nicht öffnen: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} is too large for a project file.</source>
+        <translation>{0} ist zu groß für eine Projektdatei.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read.</source>
+        <translation>{0} lässt sich nicht lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>PropertyPages</name>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Draft required</source>
+        <translation>Verlangte Schräge</translation>
+    </message>
+    <message>
+        <source>The least angle between the surface and the direction its half leaves in.</source>
+        <translation>Der kleinste Winkel zwischen der Oberfläche und der Richtung, in der ihre Hälfte abgezogen wird.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Longest side</source>
+        <translation>Längste Seite</translation>
+    </message>
+    <message>
+        <source>Scales the whole part.</source>
+        <translation>Skaliert das ganze Teil.</translation>
+    </message>
+    <message>
+        <source>Place of its middle</source>
+        <translation>Lage der Mitte</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Parting plane</source>
+        <translation>Trennebene</translation>
+    </message>
+    <message>
+        <source>Drag its grips in the view, or type here.</source>
+        <translation>Die Griffe in der Ansicht ziehen oder hier eingeben.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the origin along its normal.</source>
+        <translation>Abstand der Ebene vom Ursprung entlang ihrer Normalen.</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>While it runs</source>
+        <translation>Im Lauf</translation>
+    </message>
+    <message>
+        <source>How the removal directions are chosen when the part is deformed.</source>
+        <translation>Wie die Entformungsrichtungen beim Verformen gewählt werden.</translation>
+    </message>
+    <message>
+        <source>Best for the plane</source>
+        <translation>Beste zur Ebene</translation>
+    </message>
+    <message>
+        <source>Along the normal</source>
+        <translation>Entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>As they are</source>
+        <translation>Wie sie sind</translation>
+    </message>
+    <message>
+        <source>Tilt limit</source>
+        <translation>Größte Neigung</translation>
+    </message>
+    <message>
+        <source>How far a direction may lean from the plane&apos;s normal.</source>
+        <translation>Wie weit eine Richtung von der Ebenennormalen abweichen darf.</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>Kleinste Schräge</translation>
+    </message>
+    <message>
+        <source>Area below</source>
+        <translation>Fläche darunter</translation>
+    </message>
+    <message>
+        <source>Direction 1</source>
+        <translation>Richtung 1</translation>
+    </message>
+    <message>
+        <source>Angle to the plane&apos;s normal.</source>
+        <translation>Winkel zur Ebenennormalen.</translation>
+    </message>
+    <message>
+        <source>Direction 2</source>
+        <translation>Richtung 2</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Bends the part until both halves come off.</source>
+        <translation>Biegt das Teil, bis sich beide Hälften abziehen lassen.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How the shape is bent.</source>
+        <translation>Wie die Form gebogen wird.</translation>
+    </message>
+    <message>
+        <source>Elastic, then finish</source>
+        <translation>Elastisch, dann fertig</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>Wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>How the removal directions are chosen.</source>
+        <translation>Wie die Entformungsrichtungen gewählt werden.</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>Mittlerer Abstand</translation>
+    </message>
+    <message>
+        <source>To the part, over its diagonal, after the best rigid fit.</source>
+        <translation>Zum Teil, bezogen auf seine Diagonale, nach bester starrer Einpassung.</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Two halves around the cast.</source>
+        <translation>Zwei Hälften um den Guss.</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Steel between the cavity and each side face.</source>
+        <translation>Stahl zwischen Hohlraum und jeder Seitenfläche.</translation>
+    </message>
+    <message>
+        <source>Over half 1</source>
+        <translation>Über Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Steel over the cavity of half 1.</source>
+        <translation>Stahl über dem Hohlraum von Hälfte 1.</translation>
+    </message>
+    <message>
+        <source>Under half 2</source>
+        <translation>Unter Hälfte 2</translation>
+    </message>
+    <message>
+        <source>Steel under the cavity of half 2.</source>
+        <translation>Stahl unter dem Hohlraum von Hälfte 2.</translation>
+    </message>
+    <message>
+        <source>Half 1, mm</source>
+        <translation>Hälfte 1, mm</translation>
+    </message>
+    <message>
+        <source>Half 2, mm</source>
+        <translation>Hälfte 2, mm</translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>Hohlraum</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>Beide Hälften</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>Kleinster Stahl</translation>
+    </message>
+    <message>
+        <source>Comes off</source>
+        <translation>Lässt sich abziehen</translation>
+    </message>
+    <message>
+        <source>Cast</source>
+        <translation>Guss</translation>
+    </message>
+    <message>
+        <source>What will come out of the mold.</source>
+        <translation>Was aus der Form kommen wird.</translation>
+    </message>
+    <message>
+        <source>Castability</source>
+        <translation>Gießbarkeit</translation>
+    </message>
+    <message>
+        <source>Self-intersections</source>
+        <translation>Selbstschnitte</translation>
+    </message>
+    <message>
+        <source>Parting curve</source>
+        <translation>Trennlinie</translation>
+    </message>
+    <message>
+        <source>Proved</source>
+        <translation>Bewiesen</translation>
+    </message>
+    <message>
+        <source>Kept from the part</source>
+        <translation>Vom Teil erhalten</translation>
+    </message>
+    <message>
+        <source>Over the part&apos;s diagonal, after the best rigid fit.</source>
+        <translation>Bezogen auf die Diagonale des Teils, nach bester starrer Einpassung.</translation>
+    </message>
+    <message>
+        <source>Shortest limb</source>
+        <translation>Kürzestes Glied</translation>
+    </message>
+    <message>
+        <source>Length, cast over part.</source>
+        <translation>Länge, Guss zu Teil.</translation>
+    </message>
+    <message>
+        <source>no limbs</source>
+        <translation>keine Glieder</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>gefunden</translation>
+    </message>
+    <message>
+        <source>simple</source>
+        <translation>einfach</translation>
+    </message>
+    <message>
+        <source>crosses itself</source>
+        <translation>kreuzt sich</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>bewiesen</translation>
+    </message>
+    <message>
+        <source>Scale the part</source>
+        <translation>Teil skalieren</translation>
+    </message>
+    <message>
+        <source>Move the part</source>
+        <translation>Teil verschieben</translation>
+    </message>
+    <message>
+        <source>Move the plane</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>Change the deformation&apos;s settings</source>
+        <translation>Einstellungen der Verformung ändern</translation>
+    </message>
+    <message>
+        <source>Change the block</source>
+        <translation>Block ändern</translation>
+    </message>
+    <message>
+        <source>Direction %1</source>
+        <translation>Richtung %1</translation>
+    </message>
+    <message>
+        <source>Drag the arrow&apos;s tip in the view, or type here.</source>
+        <translation>Die Pfeilspitze in der Ansicht ziehen oder hier eingeben.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Leans towards</source>
+        <translation>Neigt sich nach</translation>
+    </message>
+    <message>
+        <source>The way it leans, counted in the plane. Without tilt it says nothing.</source>
+        <translation>Wohin sie sich neigt, in der Ebene gezählt. Ohne Neigung sagt es nichts.</translation>
+    </message>
+    <message>
+        <source>X, Y, Z</source>
+        <translation>X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Turn direction %1</source>
+        <translation>Richtung %1 drehen</translation>
+    </message>
+    <message>
+        <source>Where bending fails</source>
+        <translation>Was sich nicht biegt</translation>
+    </message>
+    <message>
+        <source>What becomes of places that no bending frees: told as an obstruction, or filled.</source>
+        <translation>Was mit Stellen geschieht, die kein Biegen löst: als Hindernis genannt oder gefüllt.</translation>
+    </message>
+    <message>
+        <source>Leave as it is</source>
+        <translation>Lassen, wie es ist</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllen</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Goat head</source>
+        <translation>Ziegenkopf</translation>
+    </message>
+    <message>
+        <source>Curled horns, an eye worth keeping</source>
+        <translation>Gewundene Hörner, ein Auge, das bleiben soll</translation>
+    </message>
+    <message>
+        <source>Sitting rabbit</source>
+        <translation>Sitzender Hase</translation>
+    </message>
+    <message>
+        <source>Ears that lean apart</source>
+        <translation>Ohren, die auseinanderstehen</translation>
+    </message>
+    <message>
+        <source>Standing goat</source>
+        <translation>Stehende Ziege</translation>
+    </message>
+    <message>
+        <source>Four legs, two horns, one plane</source>
+        <translation>Vier Beine, zwei Hörner, eine Ebene</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Which plane suits the fingers?</source>
+        <translation>Welche Ebene passt zu den Fingern?</translation>
+    </message>
+    <message>
+        <source>Fish</source>
+        <translation>Fisch</translation>
+    </message>
+    <message>
+        <source>Keep the curve of the tail fin</source>
+        <translation>Der Schwung der Schwanzflosse soll bleiben</translation>
+    </message>
+    <message>
+        <source>Bent beam</source>
+        <translation>Gebogener Träger</translation>
+    </message>
+    <message>
+        <source>Sharp corners, exact flanges</source>
+        <translation>Scharfe Ecken, genaue Flansche</translation>
+    </message>
+    <message>
+        <source>Door knob</source>
+        <translation>Türknauf</translation>
+    </message>
+    <message>
+        <source>A neck that locks in any mold</source>
+        <translation>Ein Hals, der in jeder Form klemmt</translation>
+    </message>
+    <message>
+        <source>Praline</source>
+        <translation>Praline</translation>
+    </message>
+    <message>
+        <source>Flat back, castable as it is</source>
+        <translation>Flacher Rücken, gießbar, wie sie ist</translation>
+    </message>
+</context>
+<context>
+    <name>design</name>
+    <message>
+        <source>The design was cancelled.</source>
+        <translation>Der Entwurf wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>A closed piece of {2} mm lies wholly on side {0}, near {1}: it never meets the parting plane. Move the plane through it.</source>
+        <translation>Ein geschlossenes Stück von {2} mm liegt ganz auf Seite {0}, nahe {1}: es trifft die Trennebene nie. Die Ebene hindurchlegen.</translation>
+    </message>
+    <message>
+        <source>A handle of {2} mm stands on side {0}, near {1}: the mold cannot leave its hole. Move the plane through the hole, or fill it.</source>
+        <translation>Ein Henkel von {2} mm steht auf Seite {0}, nahe {1}: die Form kommt nicht aus seinem Loch. Die Ebene durch das Loch legen oder es füllen.</translation>
+    </message>
+    <message>
+        <source>An arch of {2} mm spans a gap on side {0}, near {1}: the mold under it cannot leave. Move the plane, or fill the gap.</source>
+        <translation>Ein Bogen von {2} mm überspannt eine Lücke auf Seite {0}, nahe {1}: die Form darunter kommt nicht heraus. Die Ebene verlegen oder die Lücke füllen.</translation>
+    </message>
+    <message>
+        <source>A pocket of air of {2} mm lies on side {0}, near {1}: the mold in it cannot leave. Move the plane, or fill the pocket.</source>
+        <translation>Eine Lufttasche von {2} mm liegt auf Seite {0}, nahe {1}: die Form darin kommt nicht heraus. Die Ebene verlegen oder die Tasche füllen.</translation>
+    </message>
+    <message>
+        <source>The parting line could not be inserted without the surface crossing itself.</source>
+        <translation>Die Trennlinie ließ sich nicht einfügen, ohne dass die Oberfläche sich selbst kreuzt.</translation>
+    </message>
+    <message>
+        <source>Filling would join pieces of the part that are apart. Allow it, take them apart further, or give another plane.</source>
+        <translation>Das Füllen würde getrennte Stücke des Teils verbinden. Das erlauben, sie weiter auseinanderrücken oder eine andere Ebene angeben.</translation>
+    </message>
+    <message>
+        <source>A piece of {2} mm spans another piece on side {0}, near {1}: they hang in one another, and no half can leave between them. Take them apart, or have them merged.</source>
+        <translation>Ein Stück von {2} mm überspannt auf Seite {0}, nahe {1}, ein anderes: sie hängen ineinander, und keine Hälfte kommt zwischen ihnen heraus. Sie trennen oder vereinigen lassen.</translation>
+    </message>
+</context>
+<context>
+    <name>exchange</name>
+    <message>
+        <source>{0} could not be written: {1}.</source>
+        <translation>{0} ließ sich nicht schreiben: {1}.</translation>
+    </message>
+    <message>
+        <source>There is no file {0}.</source>
+        <translation>Es gibt keine Datei {0}.</translation>
+    </message>
+    <message>
+        <source>{0} is a folder, not a mesh file.</source>
+        <translation>{0} ist ein Ordner, keine Netzdatei.</translation>
+    </message>
+    <message>
+        <source>{0} is not a plain file.</source>
+        <translation>{0} ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>{0} could not be read: {1}.</source>
+        <translation>{0} ließ sich nicht lesen: {1}.</translation>
+    </message>
+    <message>
+        <source>The worker program&apos;s answer is incomplete.</source>
+        <translation>Die Antwort des Arbeiterprogramms ist unvollständig.</translation>
+    </message>
+    <message>
+        <source>{0} is an empty file.</source>
+        <translation>{0} ist eine leere Datei.</translation>
+    </message>
+    <message>
+        <source>{0} is in no format that Moldwright reads: STL, OBJ, PLY or OFF.</source>
+        <translation>{0} hat kein Format, das Moldwright liest: STL, OBJ, PLY oder OFF.</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: “{2}” is not understood in the header of a PLY file of version 1.0.</source>
+        <translation>{0}, Zeile {1}: „{2}“ ist im Kopf einer PLY-Datei der Version 1.0 nicht verständlich.</translation>
+    </message>
+    <message>
+        <source>{0} ends within its header: the line “end_header” is missing.</source>
+        <translation>{0} endet in seinem Kopf: die Zeile „end_header“ fehlt.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face&apos;s corner is “{2}”, not the number of a point from 1 on.</source>
+        <translation>{0}, {1}: eine Flächenecke ist „{2}“, nicht die Nummer eines Punkts ab 1.</translation>
+    </message>
+    <message>
+        <source>{0} is not an OBJ file: it holds binary data.</source>
+        <translation>{0} ist keine OBJ-Datei: sie enthält Binärdaten.</translation>
+    </message>
+    <message>
+        <source>{0} ends too early: after {1} of {2} points and {3} of {4} faces.</source>
+        <translation>{0} endet zu früh: nach {1} von {2} Punkten und {3} von {4} Flächen.</translation>
+    </message>
+    <message>
+        <source>{0} holds points of other than three dimensions.</source>
+        <translation>{0} enthält Punkte mit anderer Dimension als drei.</translation>
+    </message>
+    <message>
+        <source>{0} is a binary OFF file; only OFF in text is read.</source>
+        <translation>{0} ist eine binäre OFF-Datei; nur OFF als Text wird gelesen.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: here should stand how many points and faces there are, not “{2}”.</source>
+        <translation>{0}, {1}: hier sollte stehen, wie viele Punkte und Flächen es gibt, nicht „{2}“.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face of {2} corners needs as many numbers of points. The file may be cut off.</source>
+        <translation>{0}, {1}: eine Fläche mit {2} Ecken braucht ebenso viele Punktnummern. Die Datei ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>What follows the last face was ignored.</source>
+        <translation>Was auf die letzte Fläche folgt, wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} spare bytes at the end were ignored.</source>
+        <translation>{0} überzählige Bytes am Ende wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} holds its surface as tristrips (strips of triangles). Save it with plain faces.</source>
+        <translation>{0} enthält die Oberfläche als Dreiecksstreifen (tristrips). Mit einfachen Flächen speichern.</translation>
+    </message>
+    <message>
+        <source>{0} announces {1} times “{2}” but is too short to hold them.</source>
+        <translation>{0} kündigt {1}-mal „{2}“ an, ist dafür aber zu kurz.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a number is missing here, not finite, or not a number. The file may be cut off.</source>
+        <translation>{0}, {1}: hier fehlt eine Zahl, ist nicht endlich oder keine Zahl. Die Datei ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>{0} is not a PLY file: it does not begin with “ply”.</source>
+        <translation>{0} ist keine PLY-Datei: sie beginnt nicht mit „ply“.</translation>
+    </message>
+    <message>
+        <source>{0} announces {1} triangles but holds {2}. It is damaged, or not an STL file.</source>
+        <translation>{0} kündigt {1} Dreiecke an, enthält aber {2}. Sie ist beschädigt oder keine STL-Datei.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a facet ends too early. The file may be cut off.</source>
+        <translation>{0}, {1}: eine Facette endet zu früh. Die Datei ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>{0} is not an STL file: it is text that does not begin with “solid”.</source>
+        <translation>{0} ist keine STL-Datei: der Text beginnt nicht mit „solid“.</translation>
+    </message>
+    <message>
+        <source>{0} is {1} bytes long, too short for an STL file.</source>
+        <translation>{0} ist {1} Bytes lang, zu kurz für eine STL-Datei.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a point needs three numbers, but the line ends early.</source>
+        <translation>{0}, {1}: ein Punkt braucht drei Zahlen, die Zeile endet aber früher.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a point needs three finite numbers, but here stands “{2}”.</source>
+        <translation>{0}, {1}: ein Punkt braucht drei endliche Zahlen, hier steht aber „{2}“.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a coordinate is not a finite number.</source>
+        <translation>{0}, {1}: eine Koordinate ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face uses point {2}, which does not exist.</source>
+        <translation>{0}, {1}: eine Fläche verwendet Punkt {2}, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face has {2} corners; 3 to {3} are possible.</source>
+        <translation>{0}, {1}: eine Fläche hat {2} Ecken; möglich sind 3 bis {3}.</translation>
+    </message>
+    <message>
+        <source>{0} holds no triangles.</source>
+        <translation>{0} enthält keine Dreiecke.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} points but no faces.</source>
+        <translation>{0} enthält {1} Punkte, aber keine Flächen.</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face uses point {2}, counted from 0, but there are only {3}.</source>
+        <translation>{0}, {1}: eine Fläche verwendet Punkt {2}, von 0 gezählt, es gibt aber nur {3}.</translation>
+    </message>
+    <message>
+        <source>TetGen found no inside to fill.</source>
+        <translation>TetGen fand kein Inneres zum Füllen.</translation>
+    </message>
+    <message>
+        <source>TetGen&apos;s answer does not keep the points of the surface.</source>
+        <translation>Die Antwort von TetGen behält die Punkte der Oberfläche nicht.</translation>
+    </message>
+    <message>
+        <source>TetGen&apos;s answer holds a flat tetrahedron.</source>
+        <translation>Die Antwort von TetGen enthält einen flachen Tetraeder.</translation>
+    </message>
+    <message>
+        <source>TetGen&apos;s answer fills {0} of the surface&apos;s volume of {1}.</source>
+        <translation>Die Antwort von TetGen füllt {0} vom Volumen {1} der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>TetGen split {0} of the {1} faces of the surface.</source>
+        <translation>TetGen teilte {0} der {1} Flächen der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Stopped before the end.</source>
+        <translation>Vor dem Ende angehalten.</translation>
+    </message>
+    <message>
+        <source>The worker program was stopped after {0} seconds. A smaller mesh needs less time.</source>
+        <translation>Das Arbeiterprogramm wurde nach {0} Sekunden angehalten. Ein kleineres Netz braucht weniger Zeit.</translation>
+    </message>
+    <message>
+        <source>The worker program&apos;s answer is larger than its limit of {0} MB.</source>
+        <translation>Die Antwort des Arbeiterprogramms ist größer als die Grenze von {0} MB.</translation>
+    </message>
+    <message>
+        <source>The worker program was killed. The computer may be out of memory.</source>
+        <translation>Das Arbeiterprogramm wurde beendet. Vielleicht fehlt dem Rechner Speicher.</translation>
+    </message>
+    <message>
+        <source>The worker program crashed on this mesh (signal {0}).</source>
+        <translation>Das Arbeiterprogramm stürzte an diesem Netz ab (Signal {0}).</translation>
+    </message>
+    <message>
+        <source>The worker program ended without an answer (code {0}).</source>
+        <translation>Das Arbeiterprogramm endete ohne Antwort (Code {0}).</translation>
+    </message>
+    <message>
+        <source>The worker program {0} could not be started: {1}.</source>
+        <translation>Das Arbeiterprogramm {0} ließ sich nicht starten: {1}.</translation>
+    </message>
+</context>
+<context>
+    <name>fill</name>
+    <message>
+        <source>Filling was cancelled.</source>
+        <translation>Das Füllen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The undercuts could not be filled without the surface crossing itself. Move the parting plane a little.</source>
+        <translation>Die Hinterschnitte ließen sich nicht füllen, ohne dass die Oberfläche sich selbst durchdringt. Die Trennebene ein wenig verschieben.</translation>
+    </message>
+    <message>
+        <source>These regions cannot be filled alone: the surface would cross itself. Fill the regions beside them too.</source>
+        <translation>Diese Gebiete lassen sich nicht allein füllen: die Oberfläche würde sich selbst durchdringen. Die Gebiete daneben auch füllen.</translation>
+    </message>
+</context>
+<context>
+    <name>mesh</name>
+    <message>
+        <source>{0} equal points were welded.</source>
+        <translation>{0} gleiche Punkte wurden verschmolzen.</translation>
+    </message>
+    <message>
+        <source>{0} faces that used a point twice were removed.</source>
+        <translation>{0} Flächen, die einen Punkt zweimal verwendeten, wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>{0} repeated faces were removed.</source>
+        <translation>{0} doppelte Flächen wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>{0} points within a millionth of the size of each other were welded.</source>
+        <translation>{0} Punkte, die höchstens ein Millionstel der Größe auseinanderlagen, wurden verschmolzen.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and was turned.</source>
+        <translation>Die Oberfläche war nach innen gekehrt und wurde umgedreht.</translation>
+    </message>
+    <message>
+        <source>{0} faces looked inward and were turned.</source>
+        <translation>{0} Flächen sahen nach innen und wurden umgedreht.</translation>
+    </message>
+    <message>
+        <source>{0} holds no faces.</source>
+        <translation>{0} enthält keine Flächen.</translation>
+    </message>
+    <message>
+        <source>{0} holds a coordinate that is not a finite number.</source>
+        <translation>{0} enthält eine Koordinate, die keine endliche Zahl ist.</translation>
+    </message>
+    <message>
+        <source>{0} measures {1} from corner to corner. No unit of length makes a part of that.</source>
+        <translation>{0} misst {1} von Ecke zu Ecke. Keine Längeneinheit macht daraus ein Teil.</translation>
+    </message>
+    <message>
+        <source>{0} of the {1} faces of {2} shrink to a line or a point. Its numbers have too few digits for its size or its place: write it with more digits, or nearer to the origin.</source>
+        <translation>{0} der {1} Flächen von {2} schrumpfen zu einer Linie oder einem Punkt. Die Zahlen haben zu wenige Stellen für Größe oder Lage: mit mehr Stellen oder näher am Ursprung schreiben.</translation>
+    </message>
+    <message>
+        <source>{0} consists of {1} separate solids.</source>
+        <translation>{0} besteht aus {1} getrennten Körpern.</translation>
+    </message>
+    <message>
+        <source>{0} encloses no volume, so there is nothing to cast.</source>
+        <translation>{0} umschließt kein Volumen, es gibt also nichts zu gießen.</translation>
+    </message>
+    <message>
+        <source>The surface of {0} has a hole, near {2}, so it has no inside to cast. Close it in the program that made the file.</source>
+        <translation>Die Oberfläche von {0} hat ein Loch, nahe {2}, also kein Inneres zum Gießen. Es in dem Programm schließen, das die Datei gemacht hat.</translation>
+    </message>
+    <message>
+        <source>The surface of {0} has {1} holes, one near {2}, so it has no inside to cast. Close them in the program that made the file.</source>
+        <translation>Die Oberfläche von {0} hat {1} Löcher, eines nahe {2}, also kein Inneres zum Gießen. Sie in dem Programm schließen, das die Datei gemacht hat.</translation>
+    </message>
+    <message>
+        <source>In {0} more than two faces meet at an edge: {1} faces are concerned, one near {2}. Separate the parts, or join them, in the program that made the file.</source>
+        <translation>In {0} treffen sich mehr als zwei Flächen an einer Kante: {1} Flächen sind betroffen, eine nahe {2}. Die Teile in dem Programm trennen oder vereinen, das die Datei gemacht hat.</translation>
+    </message>
+    <message>
+        <source>The surface of {0} touches itself in a single point, at {2}. Separate it there in the program that made the file.</source>
+        <translation>Die Oberfläche von {0} berührt sich in einem einzelnen Punkt, bei {2}. Sie dort in dem Programm trennen, das die Datei gemacht hat.</translation>
+    </message>
+    <message>
+        <source>The surface of {0} touches itself in {1} single points, one at {2}. Separate it there in the program that made the file.</source>
+        <translation>Die Oberfläche von {0} berührt sich in {1} einzelnen Punkten, einem bei {2}. Sie dort in dem Programm trennen, das die Datei gemacht hat.</translation>
+    </message>
+    <message>
+        <source>A face of {0} has no area, near {2}. Clean the mesh in the program that made the file.</source>
+        <translation>Eine Fläche von {0} hat keinen Inhalt, nahe {2}. Das Netz in dem Programm bereinigen, das die Datei gemacht hat.</translation>
+    </message>
+    <message>
+        <source>{1} faces of {0} have no area, one near {2}. Clean the mesh in the program that made the file.</source>
+        <translation>{1} Flächen von {0} haben keinen Inhalt, eine nahe {2}. Das Netz in dem Programm bereinigen, das die Datei gemacht hat.</translation>
+    </message>
+    <message>
+        <source>{0} crosses itself in one place, near {2}. A proof needs a surface that does not.</source>
+        <translation>{0} kreuzt sich selbst an einer Stelle, nahe {2}. Ein Beweis braucht eine Oberfläche, die das nicht tut.</translation>
+    </message>
+    <message>
+        <source>{0} crosses itself in {1} places, one near {2}. A proof needs a surface that does not.</source>
+        <translation>{0} kreuzt sich selbst an {1} Stellen, eine nahe {2}. Ein Beweis braucht eine Oberfläche, die das nicht tut.</translation>
+    </message>
+    <message>
+        <source>{0} holds a closed surface inside another, near {2}. A closed cavity cannot be cast in a two-piece mold. Remove it, or open it to the outside.</source>
+        <translation>{0} enthält eine geschlossene Oberfläche in einer anderen, nahe {2}. Ein geschlossener Hohlraum lässt sich in einer zweiteiligen Form nicht gießen. Ihn entfernen oder nach außen öffnen.</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} closed surfaces inside others, one near {2}. A closed cavity cannot be cast in a two-piece mold. Remove them, or open them to the outside.</source>
+        <translation>{0} enthält {1} geschlossene Oberflächen in anderen, eine nahe {2}. Ein geschlossener Hohlraum lässt sich in einer zweiteiligen Form nicht gießen. Sie entfernen oder nach außen öffnen.</translation>
+    </message>
+    <message>
+        <source>The surface of {0} has only one side: its faces cannot all look outward, as near {1}. It has no inside to cast.</source>
+        <translation>Die Oberfläche von {0} hat nur eine Seite: ihre Flächen können nicht alle nach außen sehen, so nahe {1}. Sie hat kein Inneres zum Gießen.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::CommandSearch</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Dock</name>
+    <message>
+        <source>Float or dock %1</source>
+        <translation>%1 lösen oder andocken</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>%1 schließen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ImportDialog</name>
+    <message>
+        <source>Size of %1</source>
+        <translation>Größe von %1</translation>
+    </message>
+    <message>
+        <source>This part is %1 units long. What is one unit?</source>
+        <translation>Dieses Teil ist %1 Einheiten lang. Was ist eine Einheit?</translation>
+    </message>
+    <message>
+        <source>Millimetre</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetre</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Metre</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>Andere Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Einheit</translation>
+    </message>
+    <message>
+        <source>&amp;Longest side</source>
+        <translation>&amp;Längste Seite</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Open the part</source>
+        <translation>Teil öffnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::KeySheet</name>
+    <message>
+        <source>Orbit about the point under the pointer</source>
+        <translation>Um den Punkt unter dem Zeiger drehen</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Zoom to the pointer</source>
+        <translation>Zum Zeiger zoomen</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Mouse: %1</source>
+        <translation>Maus: %1</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>left button</source>
+        <translation>linke Taste</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>mittlere Taste</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>rechte Taste</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::MainWindow</name>
+    <message>
+        <source>%1 to plane normal</source>
+        <translation>%1 zur Ebenennormalen</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>Geöffnet</translation>
+    </message>
+    <message>
+        <source>Moldwright</source>
+        <translation>Moldwright</translation>
+    </message>
+    <message>
+        <source>%1 (changed) · Moldwright</source>
+        <translation>%1 (geändert) · Moldwright</translation>
+    </message>
+    <message>
+        <source>%1 · Moldwright</source>
+        <translation>%1 · Moldwright</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;?&lt;/b&gt; shows all keys.</source>
+        <translation>&lt;b&gt;?&lt;/b&gt; zeigt alle Tasten.</translation>
+    </message>
+    <message>
+        <source>Open a part, drop one here, or choose a sample. %1</source>
+        <translation>Ein Teil öffnen, hier ablegen oder ein Beispiel wählen. %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; the face that shall lie on the ground. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>Die Fläche &lt;b&gt;anklicken&lt;/b&gt;, die auf dem Boden liegen soll. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;X&lt;/b&gt; opens and closes the mold. %1</source>
+        <translation>&lt;b&gt;X&lt;/b&gt; öffnet und schließt die Form. %1</translation>
+    </message>
+    <message>
+        <source>Directions along the normal</source>
+        <translation>Richtungen entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Gespeichert %1</translation>
+    </message>
+    <message>
+        <source>Move the plane</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Moldwright projects (*.moldwright)</source>
+        <translation>Moldwright-Projekte (*.moldwright)</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Close without saving</source>
+        <translation>Schließen ohne Speichern</translation>
+    </message>
+    <message>
+        <source>Keep it open</source>
+        <translation>Offen lassen</translation>
+    </message>
+    <message>
+        <source>Open a part</source>
+        <translation>Teil öffnen</translation>
+    </message>
+    <message>
+        <source>Parts and projects (*.stl *.obj *.ply *.off *.moldwright);;All files (*)</source>
+        <translation>Teile und Projekte (*.stl *.obj *.ply *.off *.moldwright);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export the shape</source>
+        <translation>Form exportieren</translation>
+    </message>
+    <message>
+        <source>STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;OFF (*.off)</source>
+        <translation>STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;OFF (*.off)</translation>
+    </message>
+    <message>
+        <source>Folder for the halves</source>
+        <translation>Ordner für die Hälften</translation>
+    </message>
+    <message>
+        <source>Print the report</source>
+        <translation>Bericht drucken</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Save a picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be written to %1.</source>
+        <translation>Das Bild konnte nicht nach %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>About Moldwright</source>
+        <translation>Über Moldwright</translation>
+    </message>
+    <message>
+        <source>Takes any closed mesh to a castable shape and a proved two-piece mold, after Stein et al. 2019. Free software under the GNU AGPL 3 or later. Built on Qt, VTK, CGAL, OpenMesh, Eigen, TetGen and oneTBB.</source>
+        <translation>Bringt jedes geschlossene Netz zu einer gießbaren Form und einer bewiesenen zweiteiligen Gussform, nach Stein u. a. 2019. Freie Software unter der GNU AGPL 3 oder neuer. Gebaut mit Qt, VTK, CGAL, OpenMesh, Eigen, TetGen und oneTBB.</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>Mouse &amp;navigation</source>
+        <translation>Maus&amp;steuerung</translation>
+    </message>
+    <message>
+        <source>Like the desktop</source>
+        <translation>Wie der Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Navigation: %1</source>
+        <translation>Steuerung: %1</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Every edit appears here. Click one to go back to it.</source>
+        <translation>Jede Änderung erscheint hier. Ein Klick führt zu ihr zurück.</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>The shape rests. &lt;b&gt;Space&lt;/b&gt; bends it further, &lt;b&gt;Ctrl+Shift+Return&lt;/b&gt; finishes it.</source>
+        <translation>Die Form ruht. &lt;b&gt;Leertaste&lt;/b&gt; biegt weiter, &lt;b&gt;Strg+Umschalt+Eingabe&lt;/b&gt; stellt fertig.</translation>
+    </message>
+    <message>
+        <source>The part bends. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
+        <translation>Das Teil biegt sich. &lt;b&gt;Leertaste&lt;/b&gt; hält es fest, &lt;b&gt;Strg+.&lt;/b&gt; hält an.</translation>
+    </message>
+    <message>
+        <source>Turn direction 1</source>
+        <translation>Richtung 1 drehen</translation>
+    </message>
+    <message>
+        <source>Turn direction 2</source>
+        <translation>Richtung 2 drehen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag&lt;/b&gt; a grip of the plane or the tip of an arrow, with &lt;b&gt;Ctrl&lt;/b&gt; in whole steps. %1</source>
+        <translation>Einen Griff der Ebene oder eine Pfeilspitze &lt;b&gt;ziehen&lt;/b&gt;, mit &lt;b&gt;Strg&lt;/b&gt; in ganzen Schritten. %1</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::MessageList</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Nothing to report.</source>
+        <translation>Nichts zu melden.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PartView</name>
+    <message>
+        <source>View of the part</source>
+        <translation>Ansicht des Teils</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ProgressPlots</name>
+    <message>
+        <source>Energy, worst draft and violating area over the steps</source>
+        <translation>Energie, kleinste Schräge und verletzende Fläche über den Schritten</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>Kleinste Schräge</translation>
+    </message>
+    <message>
+        <source>Area below %1°</source>
+        <translation>Fläche unter %1°</translation>
+    </message>
+    <message>
+        <source>A run draws energy, worst draft and area here, step by step.</source>
+        <translation>Ein Lauf zeichnet hier Schritt für Schritt Energie, Schräge und Fläche.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ProjectModel</name>
+    <message>
+        <source>shown</source>
+        <translation>sichtbar</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PropertyPanel</name>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Or drop a file anywhere: STL, OBJ, PLY, OFF, Moldwright projects.</source>
+        <translation>Oder eine Datei irgendwo ablegen: STL, OBJ, PLY, OFF, Moldwright-Projekte.</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Clear list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Closed parts that you would really cast. Each opens as a copy.</source>
+        <translation>Geschlossene Teile, die man wirklich gießen würde. Jedes öffnet sich als Kopie.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::StatusProgress</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::TurnDialog</name>
+    <message>
+        <source>Turn the part</source>
+        <translation>Das Teil drehen</translation>
+    </message>
+    <message>
+        <source>X axis</source>
+        <translation>x-Achse</translation>
+    </message>
+    <message>
+        <source>Y axis</source>
+        <translation>y-Achse</translation>
+    </message>
+    <message>
+        <source>Z axis</source>
+        <translation>z-Achse</translation>
+    </message>
+    <message>
+        <source>Normal of the parting plane</source>
+        <translation>Normale der Trennebene</translation>
+    </message>
+    <message>
+        <source>&amp;About</source>
+        <translation>&amp;Um</translation>
+    </message>
+    <message>
+        <source>A&amp;ngle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ViewBar</name>
+    <message>
+        <source>Tools of the view</source>
+        <translation>Werkzeuge der Ansicht</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeige</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Draft map</source>
+        <translation>Schrägenkarte</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Schlicht</translation>
+    </message>
+    <message>
+        <source>What the faces show</source>
+        <translation>Was die Flächen zeigen</translation>
+    </message>
+    <message>
+        <source>How far the mold is open</source>
+        <translation>Wie weit die Form offen ist</translation>
+    </message>
+    <message>
+        <source>Mold closed</source>
+        <translation>Form zu</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Workbench</name>
+    <message>
+        <source>Something inside Moldwright broke; your work is as it was.</source>
+        <translation>In Moldwright ist etwas kaputtgegangen; die Arbeit ist, wie sie war.</translation>
+    </message>
+    <message>
+        <source>%1 was stopped.</source>
+        <translation>%1 wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Turn the part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>Lay the part flat</source>
+        <translation>Teil hinlegen</translation>
+    </message>
+    <message>
+        <source>Move the part to the middle</source>
+        <translation>Teil in die Mitte rücken</translation>
+    </message>
+    <message>
+        <source>Restore the original shape</source>
+        <translation>Ursprüngliche Form</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Searching planes</source>
+        <translation>Ebenensuche</translation>
+    </message>
+    <message>
+        <source>The search for planes was stopped.</source>
+        <translation>Die Ebenensuche wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Best plane</source>
+        <translation>Beste Ebene</translation>
+    </message>
+    <message>
+        <source>Plane %1 of the search</source>
+        <translation>Ebene %1 der Suche</translation>
+    </message>
+    <message>
+        <source>Plane %1 of %2 taken: %3 % of the surface below %4°.</source>
+        <translation>Ebene %1 von %2 genommen: %3 % der Oberfläche unter %4°.</translation>
+    </message>
+    <message>
+        <source>Searching directions</source>
+        <translation>Richtungssuche</translation>
+    </message>
+    <message>
+        <source>Best directions</source>
+        <translation>Beste Richtungen</translation>
+    </message>
+    <message>
+        <source>Deforming</source>
+        <translation>Verformung</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Castable: proved at %1°, mean distance to the part %2 % of its diagonal.</source>
+        <translation>Gießbar: bewiesen bei %1°, mittlerer Abstand zum Teil %2 % seiner Diagonale.</translation>
+    </message>
+    <message>
+        <source>Not castable yet: %1</source>
+        <translation>Noch nicht gießbar: %1</translation>
+    </message>
+    <message>
+        <source>Building the mold</source>
+        <translation>Formenbau</translation>
+    </message>
+    <message>
+        <source>Mold built: both halves are proved to come off.</source>
+        <translation>Form gebaut: beide Hälften lassen sich bewiesen abziehen.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>%1 opened.</source>
+        <translation>%1 geöffnet.</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>%1 opened: %2 × %3 × %4 mm, closed.</source>
+        <translation>%1 geöffnet: %2 × %3 × %4 mm, geschlossen.</translation>
+    </message>
+    <message>
+        <source>The shape was not written: the file&apos;s name must end in stl, ply, obj or off.</source>
+        <translation>Die Form wurde nicht geschrieben: der Dateiname muss auf stl, ply, obj oder off enden.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Shape written to %1.</source>
+        <translation>Form nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Writing the halves</source>
+        <translation>Hälften werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Mold halves written to %1.</source>
+        <translation>Formhälften nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>moldwright-render could not be started.</source>
+        <translation>moldwright-render ließ sich nicht starten.</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>Er wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Drawing the report</source>
+        <translation>Bericht wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>The report was not written. %1</source>
+        <translation>Der Bericht wurde nicht geschrieben. %1</translation>
+    </message>
+    <message>
+        <source>The report was not written.</source>
+        <translation>Der Bericht wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Report written to %1.</source>
+        <translation>Bericht nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Turn the part by %1°</source>
+        <translation>Das Teil um %1° drehen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::WorkflowBar</name>
+    <message>
+        <source>Workflow</source>
+        <translation>Arbeitsablauf</translation>
+    </message>
+</context>
 </TS>

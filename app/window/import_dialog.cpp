@@ -66,10 +66,11 @@ ImportDialog::ImportDialog(const OpenedMesh& opened, QWidget* parent) : QDialog(
     column->addLayout(form);
 
     auto* buttons = new QDialogButtonBox(this);
-    QPushButton* open = buttons->addButton(tr("Open the part"), QDialogButtonBox::AcceptRole);
-    open->setDefault(true);
+    auto* open = new QPushButton(tr("Open the part"), buttons);
     open->setProperty("primary", true);
+    open->setDefault(true);
     open->setObjectName(u"import-open"_s);
+    buttons->addButton(open, QDialogButtonBox::AcceptRole);
     buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

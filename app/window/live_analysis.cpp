@@ -2,8 +2,22 @@
 #include "window/live_analysis.h"
 
 #include "castability/cast_analysis.h"
+#include "mesh/cluster.h"
 
 namespace moldwright {
+
+namespace {
+
+constexpr int standInFaces = 25000;
+constexpr int largeFaces = 60000; ///< more of them cannot be drawn smoothly everywhere
+
+SharedMesh standInFor(const IndexedMesh& mesh) {
+    if (mesh.faceCount() <= largeFaces)
+        return nullptr;
+    return std::make_shared<const IndexedMesh>(cluster(mesh, standInFaces));
+}
+
+} // namespace
 
 LiveAnalysis::LiveAnalysis(QObject* parent) : QObject(parent) {
     m_thread.setObjectName(QStringLiteral("analysis"));
@@ -42,9 +56,14 @@ void LiveAnalysis::work() {
     } else if (request->state) {
         answer->analysis = analyzeDraft(*request->mesh, *request->state, request->draftDegrees, false);
     }
-    if (!m_picker || m_picker->mesh() != request->mesh)
+    if (!m_picker || m_picker->mesh() != request->mesh) {
         m_picker = std::make_shared<scene::SurfacePicker>(request->mesh);
+        m_standIn = standInFor(*request->mesh);
+    }
     answer->picker = m_picker;
+    answer->standIn = m_standIn;
+    if (m_standIn && request->state)
+        answer->standInAnalysis = analyzeDraft(*m_standIn, *request->state, request->draftDegrees, false);
     QMetaObject::invokeMethod(this, [this, answer] { Q_EMIT answered(answer); });
 }
 

@@ -29,6 +29,8 @@ struct AnalysisAnswer {
     DraftAnalysis analysis; ///< empty without a state
     std::optional<Certificate> certificate;
     std::shared_ptr<const scene::SurfacePicker> picker;
+    SharedMesh standIn; ///< coarser, to be drawn while something moves; null for a small mesh
+    DraftAnalysis standInAnalysis;
 };
 
 /// Keeps draft analysis, proof and picking up with the project, on a thread of its own. While it computes,
@@ -52,6 +54,7 @@ private:
     std::mutex m_mutex;
     std::optional<AnalysisRequest> m_waiting;
     std::shared_ptr<const scene::SurfacePicker> m_picker;
+    SharedMesh m_standIn; ///< of the picker's mesh
 };
 
 } // namespace moldwright

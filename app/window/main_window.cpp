@@ -79,7 +79,7 @@ void MainWindow::refresh() {
         dock->setVisible(open && dock->toggleViewAction()->property("wanted").toBool());
     if (open && !m_docksPlaced && isVisible()) {
         m_docksPlaced = true;
-        placeDocks(); // sizes hold only once the docks are seen
+        QTimer::singleShot(0, this, &MainWindow::placeDocks); // sizes hold only once the docks are seen
     }
     for (Dock* dock : m_docks)
         dock->setTitleShown(dock->isFloating() || tabifiedDockWidgets(dock).isEmpty());
@@ -109,13 +109,20 @@ void MainWindow::refresh() {
 void MainWindow::refreshView() {
     scene::Scene& scene = m_view->scene();
     const SharedMesh mesh = m_bench.shownMesh();
-    const std::vector<scene::Rgb> colours = faceColours(m_bench, m_mode);
+    const double required = m_bench.project().design.draftDegrees;
+    const auto colours = faceColours(mesh ? mesh->F.rows() : 0, m_bench.shownAnalysis(), required, m_mode);
     if (mesh.get() != m_shownMesh) {
         scene.setSurface(mesh, colours);
         m_shownMesh = mesh.get();
     } else {
         scene.setFaceColours(colours);
     }
+    const AnalysisAnswer* answer = m_bench.analysis();
+    if (answer && answer->standIn && answer->request.mesh == mesh)
+        scene.setStandIn(answer->standIn,
+                         faceColours(answer->standIn->F.rows(), &answer->standInAnalysis, required, m_mode));
+    else
+        scene.setStandIn(nullptr, {});
     const std::optional<MoldState> state = m_bench.shownState();
     scene.setState(mesh ? state : std::nullopt);
     if (m_bench.analysis())
@@ -252,7 +259,7 @@ void MainWindow::refreshHint() {
         m_hint->setText(tr("<b>X</b> opens and closes the mold. %1").arg(keys));
     else
         m_hint->setText(
-            tr("<b>Drag</b> a grip of the plane to move or tilt it, with <b>Ctrl</b> in whole steps. %1")
+            tr("<b>Drag</b> a grip of the plane or the tip of an arrow, with <b>Ctrl</b> in whole steps. %1")
                 .arg(keys));
 }
 

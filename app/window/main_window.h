@@ -42,6 +42,9 @@ public:
     [[nodiscard]] Actions& actions() { return m_actions; }
     [[nodiscard]] PartView& view() { return *m_view; }
 
+    /// Remembers where window and panels are, for the next window.
+    void keepLayout() const;
+
     /// Opens a project or a mesh, by its ending.
     void openPath(const QString& file);
 

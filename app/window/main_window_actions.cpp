@@ -270,6 +270,10 @@ void MainWindow::askTurn() {
     connect(dialog, &QDialog::accepted, this,
             [this, dialog] { m_bench.turnPart(dialog->axis(), dialog->degrees(), false); });
     connect(dialog, &QDialog::rejected, this, [this] { m_bench.document().endPreview(); });
+    // Beside the part, which is to be seen while it turns.
+    dialog->adjustSize();
+    dialog->move(m_view->mapToGlobal(m_view->rect().bottomRight()) -
+                 QPoint(dialog->width() + 16, dialog->height() + 48));
     dialog->open();
 }
 

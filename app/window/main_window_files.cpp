@@ -67,10 +67,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         });
         return;
     }
+    keepLayout();
+    event->accept();
+}
+
+void MainWindow::keepLayout() const {
     preferences::setLayout(u"geometry"_s, saveGeometry());
     if (m_bench.project().part)
         preferences::setLayout(u"docks"_s, saveState(layoutVersion));
-    event->accept();
 }
 
 void MainWindow::leaving(const std::function<void()>& then) {

@@ -131,7 +131,7 @@ void MainWindow::buildDocks() {
 
     m_projectModel = new ProjectModel(this);
     m_tree = new ProjectTree(m_projectModel, this);
-    m_tree->setMinimumWidth(220);
+    m_tree->setMinimumWidth(256);
     m_properties = new PropertyPanel(this);
     m_plots = new ProgressPlots(this);
     m_messages = new MessageList(m_bench.messages(), this);

@@ -267,20 +267,19 @@ scene::PanelContent stateChipFor(const Workbench& bench) {
     return {{}, {{std::nullopt, {{words.toStdString()}}, {}}}};
 }
 
-std::vector<scene::Rgb> faceColours(const Workbench& bench, DisplayMode mode) {
-    const SharedMesh mesh = bench.shownMesh();
+std::vector<scene::Rgb> faceColours(std::size_t faces, const DraftAnalysis* analysis, double requiredDegrees,
+                                    DisplayMode mode) {
     const scene::SceneColours& colours = theme().scene;
-    std::vector<scene::Rgb> faces(mesh ? mesh->F.rows() : 0, colours.part);
-    const DraftAnalysis* analysis = bench.shownAnalysis();
+    std::vector<scene::Rgb> painted(faces, colours.part);
     if (!analysis || mode == DisplayMode::Plain)
-        return faces;
-    const double required = bench.project().design.draftDegrees;
-    for (std::size_t f = 0; f < faces.size() && f < analysis->violating.size(); ++f)
+        return painted;
+    for (std::size_t f = 0; f < faces && f < analysis->violating.size(); ++f)
         if (mode == DisplayMode::DraftMap)
-            faces[f] = scene::draftClassColours()[scene::draftClass(analysis->faceDraft[f], required)];
+            painted[f] =
+                scene::draftClassColours()[scene::draftClass(analysis->faceDraft[f], requiredDegrees)];
         else if (analysis->violating[f])
-            faces[f] = colours.undercut;
-    return faces;
+            painted[f] = colours.undercut;
+    return painted;
 }
 
 } // namespace moldwright

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/analysis.h"
 #include "castability/mold_state.h"
 #include "panels/project_tree.h"
 #include "scene/overlay.h"
@@ -50,8 +51,9 @@ struct Verdict {
 [[nodiscard]] scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode);
 [[nodiscard]] scene::PanelContent stateChipFor(const Workbench& bench);
 
-/// One colour per face of the surface in view.
-[[nodiscard]] std::vector<scene::Rgb> faceColours(const Workbench& bench, DisplayMode mode);
+/// One colour per face of a surface with this many faces; `analysis` may be null.
+[[nodiscard]] std::vector<scene::Rgb> faceColours(std::size_t faces, const DraftAnalysis* analysis,
+                                                  double requiredDegrees, DisplayMode mode);
 
 /// "12.3°" with a true minus; a draft is rounded down, so that nothing is promised that does not hold.
 [[nodiscard]] QString angleText(double degrees, int decimals = 1);

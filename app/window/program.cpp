@@ -49,10 +49,9 @@ void Program::setLanguage(const QString& language) {
 }
 
 void Program::showWindow() {
-    const QByteArray geometry = m_window ? m_window->saveGeometry() : QByteArray();
+    if (m_window)
+        m_window->keepLayout();
     auto window = std::make_unique<MainWindow>(m_bench);
-    if (!geometry.isEmpty())
-        window->restoreGeometry(geometry);
     // Queued: the window that asks is the one that goes.
     connect(window.get(), &MainWindow::languageChosen, this, &Program::setLanguage, Qt::QueuedConnection);
     window->show();

@@ -143,6 +143,10 @@ PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
     PropertySection goal = draftGoal();
     goal.rows.push_back({u"method"_s, Words::tr("Method"), Words::tr("How the shape is bent."),
                          ChoiceProperty{{Words::tr("Elastic, then finish"), Words::tr("As in the paper")}}});
+    goal.rows.push_back(
+        {u"fill"_s, Words::tr("Where bending fails"),
+         Words::tr("What becomes of places that no bending frees: told as an obstruction, or filled."),
+         ChoiceProperty{{Words::tr("Leave as it is"), Words::tr("Fill")}}});
     page.sections.push_back(goal);
     page.sections.push_back(
         {Words::tr("While it runs"),

@@ -193,6 +193,8 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
         design.directionsChoice = choiceAt(value.toInt());
     else if (id == u"method"_s)
         design.method = value.toInt() == 1 ? DeformationMethod::Paper : DeformationMethod::Default;
+    else if (id == u"fill"_s)
+        design.fill = value.toInt() == 1 ? FillChoice::Auto : FillChoice::None;
     else if (id == u"wall"_s)
         mold.wall = number;
     else if (id == u"ceiling"_s)
@@ -220,6 +222,7 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     panel.setValue(u"draft"_s, project.design.draftDegrees);
     panel.setValue(u"tilt"_s, project.design.maxTiltDegrees);
     panel.setValue(u"method"_s, project.design.method == DeformationMethod::Paper ? 1 : 0);
+    panel.setValue(u"fill"_s, project.design.fill == FillChoice::Auto ? 1 : 0);
     panel.setValue(u"choice"_s, project.design.directionsChoice == DirectionsChoice::Normal  ? 1
                                 : project.design.directionsChoice == DirectionsChoice::Given ? 2
                                                                                              : 0);

@@ -15,6 +15,26 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+/// The words of samples.json, for those who translate.
+[[maybe_unused]] constexpr const char* sampleWords[] = {
+    QT_TRANSLATE_NOOP("Samples", "Goat head"),
+    QT_TRANSLATE_NOOP("Samples", "Curled horns, an eye worth keeping"),
+    QT_TRANSLATE_NOOP("Samples", "Sitting rabbit"),
+    QT_TRANSLATE_NOOP("Samples", "Ears that lean apart"),
+    QT_TRANSLATE_NOOP("Samples", "Standing goat"),
+    QT_TRANSLATE_NOOP("Samples", "Four legs, two horns, one plane"),
+    QT_TRANSLATE_NOOP("Samples", "Hand"),
+    QT_TRANSLATE_NOOP("Samples", "Which plane suits the fingers?"),
+    QT_TRANSLATE_NOOP("Samples", "Fish"),
+    QT_TRANSLATE_NOOP("Samples", "Keep the curve of the tail fin"),
+    QT_TRANSLATE_NOOP("Samples", "Bent beam"),
+    QT_TRANSLATE_NOOP("Samples", "Sharp corners, exact flanges"),
+    QT_TRANSLATE_NOOP("Samples", "Door knob"),
+    QT_TRANSLATE_NOOP("Samples", "A neck that locks in any mold"),
+    QT_TRANSLATE_NOOP("Samples", "Praline"),
+    QT_TRANSLATE_NOOP("Samples", "Flat back, castable as it is"),
+};
+
 /// Installed beside the program, else in the source tree it was built from.
 QDir samplesFolder() {
     const QDir installed(QCoreApplication::applicationDirPath() + u"/../share/moldwright/samples"_s);

@@ -43,10 +43,11 @@ TurnDialog::TurnDialog(const std::optional<Eigen::Vector3d>& planeNormal, QWidge
     column->addLayout(form);
 
     auto* buttons = new QDialogButtonBox(this);
-    QPushButton* turn = buttons->addButton(tr("Turn"), QDialogButtonBox::AcceptRole);
-    turn->setDefault(true);
+    auto* turn = new QPushButton(tr("Turn"), buttons);
     turn->setProperty("primary", true);
+    turn->setDefault(true);
     turn->setObjectName(u"turn-accept"_s);
+    buttons->addButton(turn, QDialogButtonBox::AcceptRole);
     buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -7,6 +7,8 @@
 #include "project/edits.h"
 #include "window/sentence.h"
 
+#include <cmath>
+
 namespace moldwright {
 
 namespace {
@@ -56,6 +58,7 @@ DesignRequest requestFor(const Project& project) {
     request.draftDegrees = project.design.draftDegrees;
     request.maxTiltDegrees = project.design.maxTiltDegrees;
     request.method = project.design.method;
+    request.fill = project.design.fill;
     request.fill = project.design.fill;
     request.pins = project.pins;
     request.faceWeights = project.faceWeights;
@@ -177,7 +180,7 @@ void Workbench::takeResult(const Result<DesignResult>& result, const Project& fr
     m_document.edit(tr("Deform"), withCast(from, *result, from.design.draftDegrees));
     if (result->castable)
         say(Standing::Done, tr("Castable: proved at %1°, mean distance to the part %2 % of its diagonal.")
-                                .arg(result->certificate.worstDraftDegrees, 0, 'f', 1)
+                                .arg(std::floor(10 * result->certificate.worstDraftDegrees) / 10, 0, 'f', 1)
                                 .arg(100 * result->change.meanDistance, 0, 'f', 2));
     else
         say(Standing::Failing,

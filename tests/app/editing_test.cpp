@@ -9,6 +9,7 @@
 #include "project/project_file.h"
 #include "scene/direction_handle.h"
 #include "support/folders.h"
+#include "support/shapes.h"
 #include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
@@ -236,6 +237,22 @@ TEST(Editing, ThemeAndLanguageChangeAtRunTime) {
     driver.shot("12-draft-map");
     driver.window().resize(1100, 720);
     driver.shot("13-small");
+}
+
+TEST(Editing, ALargeMeshHasAStandInForMovementsThatTellsTheSame) {
+    WindowDriver driver;
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "ball.ply";
+    ASSERT_TRUE(writeMesh(file, test::sphere({0, 0, 0}, 30, 7), MeshFormat::Ply));
+    ASSERT_TRUE(driver.openMesh(QString::fromStdString(file.string()), 60));
+    const AnalysisAnswer& answer = *driver.bench().analysis();
+    ASSERT_TRUE(answer.standIn);
+    EXPECT_LT(answer.standIn->faceCount(), driver.bench().project().part->faceCount() / 2);
+    EXPECT_NEAR(answer.standInAnalysis.violatingAreaFraction, answer.analysis.violatingAreaFraction, 0.02);
+    EXPECT_TRUE(driver.window().view().scene().hasStandIn());
+    driver.window().actions()[QStringLiteral("start-page")]->trigger();
+    ASSERT_TRUE(driver.openSample("praline"));
+    EXPECT_FALSE(driver.window().view().scene().hasStandIn());
 }
 
 TEST(Editing, AnOpenMeshIsRefusedWithASentence) {

@@ -55,6 +55,7 @@ MeshLayer::MeshLayer() {
     look->SetSpecular(0.10);
     look->SetSpecularPower(24);
     look->SetEdgeColor(0.25, 0.28, 0.32);
+    look->BackfaceCullingOn(); // surfaces are closed: their backs are never seen, and cost as much
     m_actor->VisibilityOff();
 }
 
@@ -70,6 +71,11 @@ void MeshLayer::setMesh(const SharedMesh& mesh, Rgb colour) {
     m_surface->GetPointData()->SetNormals(rowsAsArray(shaded.normals));
     m_surface->SetPolys(facesAsCells(shaded.faces));
     setFaceColours(std::vector<Rgb>(mesh->F.rows(), colour));
+}
+
+void MeshLayer::setOpacity(double opacity) {
+    m_actor->GetProperty()->SetOpacity(opacity);
+    m_actor->GetProperty()->SetBackfaceCulling(opacity == 1);
 }
 
 void MeshLayer::setFaceColours(std::span<const Rgb> colours) {

@@ -26,7 +26,7 @@ public:
     void setFaceColours(std::span<const Rgb> colours);
 
     /// See-through from 0 to 1; 1 is solid.
-    void setOpacity(double opacity) { m_actor->GetProperty()->SetOpacity(opacity); }
+    void setOpacity(double opacity);
     void setEdges(bool shown) { m_actor->GetProperty()->SetEdgeVisibility(shown); }
 
     [[nodiscard]] const SharedMesh& mesh() const { return m_mesh; }

@@ -44,6 +44,7 @@ Scene::Scene() {
     m_renderer->GradientBackgroundOn();
     m_renderer->UseFXAAOn();
     m_renderer->AddActor(m_surface.actor());
+    m_renderer->AddActor(m_standIn.actor());
     m_renderer->AddActor(m_half1.actor());
     m_renderer->AddActor(m_half2.actor());
     m_renderer->AddActor(m_plane.sheet());
@@ -94,6 +95,23 @@ void Scene::setSurface(const SharedMesh& mesh, std::span<const Rgb> faceColours)
 
 void Scene::setFaceColours(std::span<const Rgb> faceColours) {
     m_surface.setFaceColours(faceColours);
+}
+
+void Scene::setStandIn(const SharedMesh& coarse, std::span<const Rgb> faceColours) {
+    if (coarse != m_standIn.mesh())
+        m_standIn.setMesh(coarse, m_colours.part);
+    m_standIn.setFaceColours(faceColours);
+    updateVisibility();
+}
+
+void Scene::useStandIn(bool use) {
+    m_standInUsed = use;
+    updateVisibility();
+}
+
+void Scene::setSeeThrough(bool seeThrough) {
+    m_surface.setOpacity(seeThrough ? 0.35 : 1);
+    m_standIn.setOpacity(seeThrough ? 0.35 : 1);
 }
 
 void Scene::setSurfaceVisible(bool visible) {
@@ -165,7 +183,9 @@ void Scene::placeArrows() {
 void Scene::updateVisibility() {
     const bool plane = m_state && m_planeVisible && !m_surfaceBox.isEmpty();
     const bool arrows = m_state && m_directionsVisible && !m_surfaceBox.isEmpty();
-    m_surface.actor()->SetVisibility(m_surface.mesh() && m_surfaceVisible);
+    const bool standsIn = m_standInUsed && m_standIn.mesh();
+    m_surface.actor()->SetVisibility(m_surface.mesh() && m_surfaceVisible && !standsIn);
+    m_standIn.actor()->SetVisibility(standsIn && m_surfaceVisible);
     m_plane.sheet()->SetVisibility(plane);
     m_plane.outline()->SetVisibility(plane);
     m_plane.partingLine()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);

@@ -43,9 +43,13 @@ public:
     /// The surface in view; null for none. `faceColours` may be empty: all in the part's colour.
     void setSurface(const SharedMesh& mesh, std::span<const Rgb> faceColours);
     void setFaceColours(std::span<const Rgb> faceColours);
+    /// A coarser mesh that stands in for the surface while something moves; null for none.
+    void setStandIn(const SharedMesh& coarse, std::span<const Rgb> faceColours);
+    [[nodiscard]] bool hasStandIn() const { return m_standIn.mesh() != nullptr; }
+    void useStandIn(bool use);
     void setSurfaceVisible(bool visible);
     void setEdges(bool shown) { m_surface.setEdges(shown); }
-    void setSeeThrough(bool seeThrough) { m_surface.setOpacity(seeThrough ? 0.35 : 1); }
+    void setSeeThrough(bool seeThrough);
 
     /// Plane and directions; none hides them.
     void setState(const std::optional<MoldState>& state);
@@ -94,6 +98,8 @@ private:
     double m_scale = 1;
     CubeWords m_words = {"Front", "Back", "Left", "Right", "Top", "Bottom"};
     MeshLayer m_surface;
+    MeshLayer m_standIn;
+    bool m_standInUsed = false;
     Eigen::AlignedBox3d m_surfaceBox;
     PlaneLayer m_plane;
     ArrowLayer m_arrow1;

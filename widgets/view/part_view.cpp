@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "view/part_view.h"
 
+#include <QGuiApplication>
 #include <QMouseEvent>
 #include <QStyle>
 #include <QWheelEvent>
@@ -19,6 +20,8 @@ constexpr double gripReach = 12;        ///< logical pixels about a grip
 constexpr double turnPerPixel = 0.0085; ///< radians
 constexpr double zoomPerPixel = 1.006;
 constexpr double zoomPerNotch = 1.15;
+constexpr int settleMilliseconds = 250;
+constexpr std::chrono::milliseconds smooth(60); ///< a picture that takes longer makes movements jerk
 const Eigen::Vector3d homeDirection(0.75, -1, 0.6);
 
 scene::Held heldNow(Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
@@ -39,7 +42,11 @@ PartView::PartView(QWidget* parent) : RenderView(parent), m_navigation(&scene::n
     m_ease.setEndValue(1.0);
     m_ease.setDuration(160);
     m_ease.setEasingCurve(QEasingCurve::OutCubic);
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(settleMilliseconds);
+    connect(&m_settle, &QTimer::timeout, this, &PartView::settled);
     connect(&m_ease, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
+        moving();
         m_camera = scene::between(m_easeFrom, m_easeTo, t.toDouble());
         update();
     });
@@ -59,8 +66,31 @@ void PartView::aboutToRender(int width, int height) {
     m_scene.arrange(m_camera, {static_cast<double>(width), static_cast<double>(height)});
 }
 
+void PartView::paintGL() {
+    RenderView::paintGL();
+    if (!m_isMoving || !m_scene.hasStandIn())
+        m_tooSlow = lastPicture() > smooth;
+}
+
+void PartView::moving() {
+    m_isMoving = true;
+    m_settle.start();
+    m_scene.useStandIn(m_tooSlow);
+}
+
+void PartView::settled() {
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) {
+        m_settle.start(); // held still, not let go
+        return;
+    }
+    m_isMoving = false;
+    m_scene.useStandIn(false);
+    update();
+}
+
 void PartView::setCamera(const scene::Camera& camera) {
     m_ease.stop();
+    moving();
     m_camera = camera;
     update();
 }
@@ -195,9 +225,10 @@ void PartView::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     m_dragged = m_dragged || (at - m_pressed).norm() > clickReach * devicePixelRatioF();
-    if (m_drag && m_dragged)
+    if (m_drag && m_dragged) {
+        moving();
         Q_EMIT dragPreviewed(dragged(at, event->modifiers().testFlag(Qt::ControlModifier)), *m_hovered);
-    else if (m_dragged)
+    } else if (m_dragged)
         moveCamera(m_navigation->motionFor(heldNow(event->buttons(), event->modifiers())), m_last, at);
     m_last = at;
     event->accept();

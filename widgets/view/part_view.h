@@ -8,6 +8,7 @@
 #include "view/render_view.h"
 
 #include <QPoint>
+#include <QTimer>
 #include <QVariantAnimation>
 
 #include <memory>
@@ -65,6 +66,7 @@ Q_SIGNALS:
     void menuRequested(const QPoint& globalPlace);
 
 protected:
+    void paintGL() override;
     void aboutToRender(int width, int height) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -83,6 +85,8 @@ private:
     [[nodiscard]] MoldState dragged(const Eigen::Vector2d& to, bool coarse) const;
     void hover(const Eigen::Vector2d& at);
     void easeTo(const scene::Camera& target);
+    void moving();
+    void settled();
     void setCamera(const scene::Camera& camera);
     void updatePointer();
 
@@ -91,6 +95,9 @@ private:
     const scene::NavigationScheme* m_navigation;
     std::shared_ptr<const scene::SurfacePicker> m_picker;
     QVariantAnimation m_ease;
+    QTimer m_settle; ///< runs out some time after the last movement
+    bool m_isMoving = false;
+    bool m_tooSlow = false; ///< the whole surface takes too long to draw while something moves
     scene::Camera m_easeFrom;
     scene::Camera m_easeTo;
     bool m_editable = false;

@@ -87,6 +87,7 @@ void RenderView::releaseContext() {
 void RenderView::paintGL() {
     if (!m_window->GetReadyForRendering())
         return;
+    const auto start = std::chrono::steady_clock::now();
     const int pixelsWide = static_cast<int>(std::lround(width() * devicePixelRatioF()));
     const int pixelsHigh = static_cast<int>(std::lround(height() * devicePixelRatioF()));
     m_window->SetSize(pixelsWide, pixelsHigh);
@@ -109,6 +110,8 @@ void RenderView::paintGL() {
     gl->glClear(GL_COLOR_BUFFER_BIT);
     gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->Pop();
+    m_lastPicture =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
 }
 
 } // namespace moldwright

@@ -6,6 +6,8 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <chrono>
+
 class vtkGenericOpenGLRenderWindow;
 
 namespace moldwright {
@@ -20,6 +22,9 @@ public:
 
     [[nodiscard]] vtkGenericOpenGLRenderWindow* window() const { return m_window; }
 
+    /// How long the last picture took to draw.
+    [[nodiscard]] std::chrono::milliseconds lastPicture() const { return m_lastPicture; }
+
 protected:
     /// Called before each picture, with its size in device pixels.
     virtual void aboutToRender(int width, int height) = 0;
@@ -32,6 +37,7 @@ private:
     void makeCurrentForVtk();
 
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
+    std::chrono::milliseconds m_lastPicture{0};
 };
 
 } // namespace moldwright
