@@ -35,7 +35,8 @@ Lean leanOf(const MoldState& state, int side) {
     if (across.norm() < 1e-8)
         return {along >= 0 ? 0.0 : 180.0, 0};
     const double way = degrees(std::atan2(across.y(), across.x()));
-    return {degrees(std::atan2(across.norm(), along)), way < 0 ? way + 360 : way};
+    // A hair below zero is zero, not 360°.
+    return {degrees(std::atan2(across.norm(), along)), way < -1e-9 ? way + 360 : std::max(way, 0.0)};
 }
 
 Eigen::Vector3d leaning(const PartingPlane& plane, int side, const Lean& lean) {
