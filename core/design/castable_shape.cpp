@@ -3,6 +3,7 @@
 
 #include "deformation/finish.h"
 #include "deformation/labelled_problem.h"
+#include "deformation/side_hinge.h"
 #include "deformation/tet_topology.h"
 #include "mesh/measures.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr double kMembrane = 5;    ///< weight of the surface term, times the mean edge
 constexpr double kVolume = 5;      ///< weight of each tetrahedron's change of volume: limbs turn, not shrink
 constexpr double kAimHigher = 1;   ///< degrees above the required draft
+constexpr double kSpare = 0.05;    ///< degrees that rounding may take from a part left as it is
 constexpr double kFirstHinge = 1;  ///< κ of the first round
 constexpr double kHingeGrowth = 3; ///< from round to round
 constexpr int kRounds = 4;
@@ -71,6 +73,12 @@ LabelledSurface surfaceOf(const PartedSolid& solid, const Positions& X) {
     return surface;
 }
 
+/// A part that is castable as it is stays as it is.
+bool passesAlready(const LabelledBody& body, double draftDegrees) {
+    const double enough = std::sin(radians(draftDegrees + kSpare));
+    return sideDraft(body.shape.F, body.labels, body.directions, body.shape.V, enough).violating == 0;
+}
+
 std::vector<double> restAreas(const IndexedMesh& mesh) {
     std::vector<double> areas;
     for (int f = 0; f < mesh.faceCount(); ++f)
@@ -84,6 +92,8 @@ CastableShape bendToCastable(const PartedSolid& solid, const ShapeGoal& goal, co
                              const ShapeWatch& watch) {
     const LabelledBody body = bodyOf(solid, goal);
     Positions X = body.shape.V;
+    if (passesAlready(body, goal.draftDegrees))
+        return {surfaceOf(solid, X), true, 0};
     LabelledProblem problem(body);
     const std::vector<double> areas = restAreas(solid.surface.mesh);
     StageWeights weights;

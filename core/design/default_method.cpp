@@ -132,6 +132,7 @@ Result<DesignResult> tryFilling(const IndexedMesh& shape, const MoldState& state
 
 /// The best of the passing planes, and why there is none.
 struct Tries {
+    std::optional<MoldState> first; ///< the first state that passed
     std::optional<DesignResult> best;
     std::optional<Error> lastError;
 
@@ -149,25 +150,27 @@ struct Tries {
     }
 };
 
-Tries tryStates(const IndexedMesh& shape, const std::vector<MoldState>& states, DesignRun& run) {
+Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {
     Tries tries;
-    const std::size_t count = std::min(states.size(), kPlanesTried);
-    for (std::size_t i = 0; i < count && !tries.good() && !run.stopped(); ++i) {
+    const double share = 0.85 / kPlanesTried;
+    for (std::size_t i = 0; i < kPlanesTried && !tries.good() && !run.stopped(); ++i) {
         if (tries.castable() && i >= kPlanesForLimbs)
             break;
-        const double share = 0.85 / static_cast<double>(count);
+        const std::optional<MoldState> state = states.next();
+        if (!state)
+            break;
+        tries.first = tries.first ? tries.first : state;
         const double from = 0.1 + static_cast<double>(i) * share;
-        tries.take(tryBending(shape, states[i], run.task().part(from, from + share), run));
+        tries.take(tryBending(shape, *state, run.task().part(from, from + share), run));
     }
     return tries;
 }
 
 /// As little as needed first: the less is filled, the more of the part is kept.
 void fillWhereWanted(const IndexedMesh& shape, const MoldStates& states, Tries& tries, DesignRun& run) {
-    const bool obstructed = states.passing.empty();
-    const MoldState& state = obstructed ? states.best : states.passing.front();
+    const MoldState state = tries.first.value_or(states.best());
     const Task task = run.task().part(0.95, 1);
-    if (obstructed && !run.stopped())
+    if (!tries.first && !run.stopped())
         tries.take(tryFilling(shape, state, FillExtent::Needed, task, run));
     if (tries.wantsFilling() && !run.stopped())
         tries.take(tryFilling(shape, state, FillExtent::All, task, run));
@@ -199,22 +202,25 @@ Result<DesignResult> designByBending(DesignRun& run) {
             return std::unexpected(bent.error());
         shape = *bent;
     }
-    const Result<MoldStates> states = moldStatesFor(*shape, run);
+    Result<MoldStates> states = MoldStates::create(*shape, run);
     if (!states)
         return std::unexpected(states.error());
-    Tries tries = tryStates(*shape, states->passing, run);
+    Tries tries = tryStates(*shape, *states, run);
+    std::vector<Obstruction> obstructions;
+    if (!tries.first && !run.stopped())
+        obstructions = obstructionsAt(*shape, states->best());
     if (request.fill == FillChoice::Auto)
         fillWhereWanted(*shape, *states, tries, run);
     if (!tries.best) {
         if (run.stopped())
             return DesignRun::cancelled();
-        if (states->obstructions.empty())
+        if (obstructions.empty())
             return std::unexpected(*tries.lastError);
         tries.best.emplace();
-        tries.best->state = states->best;
-        tries.best->certificate.reason = states->obstructions.front().message.english();
+        tries.best->state = states->best();
+        tries.best->certificate.reason = obstructions.front().message.english();
     }
-    tries.best->obstructions = states->obstructions;
+    tries.best->obstructions = std::move(obstructions);
     return *tries.best;
 }
 

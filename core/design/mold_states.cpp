@@ -1,27 +1,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "design/mold_states.h"
 
-#include "castability/plane_search.h"
 #include "design/parting.h"
 #include "design/stopwatch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace moldwright {
 
 namespace {
 
 constexpr int kCandidatePlanes = 60;    ///< searched for those that pass the topological certificate
-constexpr std::size_t kMostPassing = 8; ///< more are not looked for
-
-MoldStates atGivenPlane(const IndexedMesh& shape, const PartingPlane& plane, DesignRun& run) {
-    MoldStates states;
-    states.best = {plane, run.directionsFor(shape, plane)};
-    states.obstructions = obstructionsAt(shape, states.best);
-    if (states.obstructions.empty())
-        states.passing = {states.best};
-    return states;
-}
+constexpr double kLeanDifferently = 35; ///< degrees between normals
 
 std::vector<PlaneCandidate> candidatesFor(const IndexedMesh& shape, const DesignRun& run) {
     PlaneSearch search;
@@ -33,41 +24,59 @@ std::vector<PlaneCandidate> candidatesFor(const IndexedMesh& shape, const Design
     return findPlanes(shape, search, run.task().part(0, 0.1));
 }
 
+bool leansAlike(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::abs(a.dot(b)) > std::cos(radians(kLeanDifferently));
+}
+
 } // namespace
 
-Result<MoldStates> moldStatesFor(const IndexedMesh& shape, DesignRun& run) {
-    if (run.request().plane)
-        return atGivenPlane(shape, *run.request().plane, run);
-    const Stopwatch watch(run.seconds(), "plane");
-    const std::vector<PlaneCandidate> candidates = candidatesFor(shape, run);
-    if (run.stopped() || candidates.empty())
-        return DesignRun::cancelled();
-    const auto stateAt = [&](const PlaneCandidate& candidate) {
-        MoldState state = candidate.state;
-        if (run.request().directionsChoice != DirectionsChoice::Normal)
-            state.directions = run.directionsFor(shape, state.plane);
-        return state;
-    };
-    std::vector<std::pair<double, MoldState>> passing;
-    for (const PlaneCandidate& candidate : candidates) {
-        if (run.stopped())
-            return DesignRun::cancelled();
-        const MoldState state = stateAt(candidate);
-        if (planePasses(shape, state))
-            passing.emplace_back(candidate.energy, state);
-        if (passing.size() == kMostPassing)
-            break;
+Result<MoldStates> MoldStates::create(const IndexedMesh& shape, DesignRun& run) {
+    MoldStates states(shape, run);
+    if (run.request().plane) {
+        states.m_best = {*run.request().plane, run.directionsFor(shape, *run.request().plane)};
+        states.m_left.push_back({states.m_best});
+        return states;
     }
-    if (!passing.empty())
-        std::stable_sort(passing.begin() + 1, passing.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-    MoldStates states;
-    states.best = stateAt(candidates.front());
-    for (const auto& [energy, state] : passing)
-        states.passing.push_back(state);
-    if (passing.empty())
-        states.obstructions = obstructionsAt(shape, states.best);
+    const Stopwatch watch(run.seconds(), "plane");
+    states.m_left = candidatesFor(shape, run);
+    if (run.stopped() || states.m_left.empty())
+        return DesignRun::cancelled();
+    states.m_best = states.stateAt(states.m_left.front());
+    // The first was preferred by the search; without it energy alone counts.
+    std::stable_sort(states.m_left.begin() + 1, states.m_left.end(),
+                     [](const PlaneCandidate& a, const PlaneCandidate& b) { return a.energy < b.energy; });
     return states;
+}
+
+MoldState MoldStates::stateAt(const PlaneCandidate& candidate) const {
+    MoldState state = candidate.state;
+    if (!m_run->request().plane && m_run->request().directionsChoice != DirectionsChoice::Normal)
+        state.directions = m_run->directionsFor(*m_shape, state.plane);
+    return state;
+}
+
+std::optional<MoldState> MoldStates::takeIfPassing(std::size_t i) {
+    const MoldState state = stateAt(m_left[i]);
+    m_left.erase(m_left.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!planePasses(*m_shape, state))
+        return std::nullopt;
+    m_normals.push_back(state.plane.normal);
+    return state;
+}
+
+std::optional<MoldState> MoldStates::next() {
+    const Stopwatch watch(m_run->seconds(), "plane");
+    for (const bool mustDiffer : {true, false})
+        for (std::size_t i = 0; i < m_left.size() && !m_run->stopped();) {
+            const Eigen::Vector3d normal = m_left[i].state.plane.normal;
+            const bool alike = std::any_of(m_normals.begin(), m_normals.end(),
+                                           [&](const Eigen::Vector3d& n) { return leansAlike(n, normal); });
+            if (mustDiffer && alike)
+                ++i;
+            else if (const std::optional<MoldState> state = takeIfPassing(i))
+                return state;
+        }
+    return std::nullopt;
 }
 
 } // namespace moldwright

@@ -1,22 +1,40 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/plane_search.h"
 #include "design/design_run.h"
 
+#include <optional>
 #include <vector>
 
 namespace moldwright {
 
-/// The planes a design may try, with their directions.
-struct MoldStates {
-    std::vector<MoldState> passing;        ///< the topological certificate holds; to be tried in this order
-    MoldState best;                        ///< of least energy, whether it passes or not
-    std::vector<Obstruction> obstructions; ///< of `best`; empty when some plane passes
-};
+/// The states (plane and directions) that a design tries, one after the other: the given plane alone, or the
+/// best planes of the part that pass the topological certificate. The preferred plane comes first. Where it
+/// does not serve, planes near it hardly will: next come planes that lean clearly differently from all
+/// before, by their energy alone (the preference for volume on both sides does not count any more), then the
+/// rest. Each is tested only when its turn comes.
+class MoldStates {
+public:
+    /// `shape` (part frame) and `run` must outlive it. Errors: Cancelled.
+    [[nodiscard]] static Result<MoldStates> create(const IndexedMesh& shape, DesignRun& run);
 
-/// The given plane alone, or the best planes of `shape` (part frame). The preferred plane comes first; where
-/// that does not serve, the preference for volume on both sides does not count any more, and the others
-/// follow by their energy alone. Errors: Cancelled.
-[[nodiscard]] Result<MoldStates> moldStatesFor(const IndexedMesh& shape, DesignRun& run);
+    /// The next state; none when there is no further one that passes, or the run was stopped.
+    [[nodiscard]] std::optional<MoldState> next();
+
+    /// The state of least energy, whether it passes or not.
+    [[nodiscard]] const MoldState& best() const { return m_best; }
+
+private:
+    MoldStates(const IndexedMesh& shape, DesignRun& run) : m_shape(&shape), m_run(&run) {}
+    [[nodiscard]] MoldState stateAt(const PlaneCandidate& candidate) const;
+    [[nodiscard]] std::optional<MoldState> takeIfPassing(std::size_t i);
+
+    const IndexedMesh* m_shape;
+    DesignRun* m_run;
+    MoldState m_best;
+    std::vector<PlaneCandidate> m_left;     ///< not yet tested, in the order to try
+    std::vector<Eigen::Vector3d> m_normals; ///< of those handed out
+};
 
 } // namespace moldwright
