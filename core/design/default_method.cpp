@@ -67,6 +67,7 @@ void takeCast(DesignResult& result, const PartedSolid& solid, const CastableShap
     const IndexedMesh before = solid.frame.toPart(solid.surface.mesh);
     result.change = measureChange(*request.part, before, rounded, bent.surface.sourceVertex);
     result.change.filledVolumeFraction = solid.filledVolume / volume(*request.part);
+    result.strain = surfaceStrain(before, rounded, bent.surface.sourceVertex);
     result.limbs = measureLimbs(before, rounded, bent.surface.sourceVertex, request.limbTips);
     result.cast = std::make_shared<const IndexedMesh>(rounded);
 }

@@ -6,6 +6,7 @@
 #include "base/task.h"
 #include "castability/certificate.h"
 #include "castability/mold_state.h"
+#include "design/strain.h"
 #include "mesh/indexed_mesh.h"
 
 #include <Eigen/Core>
@@ -100,6 +101,7 @@ struct DesignResult {
     double energy = 0;
     double violatingAreaFraction = 0;
     Change change;
+    SurfaceStrain strain; ///< from the part, filled where it was filled, to the cast
     std::vector<LimbMeasure> limbs;
     std::vector<Obstruction> obstructions;
     std::vector<Message> warnings;

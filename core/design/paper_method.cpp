@@ -72,6 +72,7 @@ DesignResult judged(const Elastoplastic& solver, DesignRun& run) {
     std::vector<int> same(static_cast<std::size_t>(cast.vertexCount()));
     std::iota(same.begin(), same.end(), 0);
     result.change = measureChange(*request.part, *request.part, cast, same);
+    result.strain = surfaceStrain(*request.part, cast, same);
     result.limbs = measureLimbs(*request.part, cast, same, request.limbTips);
     result.cast = std::make_shared<const IndexedMesh>(std::move(cast));
     return result;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 using namespace moldwright;
 
@@ -107,6 +108,34 @@ TEST(Design, JoinsPiecesByFillingOnlyWhereAllowed) {
     ASSERT_TRUE(joined) << joined.error().english();
     expectProved(*joined, 1);
     EXPECT_EQ(connectedComponents(*joined->cast).count, 1);
+}
+
+TEST(Design, LeavesItsInputsAloneWhereverItIsCancelled) {
+    DesignRequest request = level(banana());
+    request.plane.reset();
+    const IndexedMesh before = *request.part;
+    int reports = 0;
+    const Task whole([&](double, const std::string&) { ++reports; });
+    ASSERT_TRUE(design(request, whole));
+    std::mt19937 random(7);
+    int cancelledRuns = 0;
+    for (int run = 0; run < 50; ++run) {
+        int left = 1 + static_cast<int>(random() % static_cast<unsigned>(reports));
+        const Task* running = nullptr;
+        const Task task([&](double, const std::string&) {
+            if (--left == 0)
+                running->cancel();
+        });
+        running = &task;
+        const Result<DesignResult> result = design(request, task);
+        cancelledRuns += !result;
+        if (!result) {
+            EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
+        }
+        EXPECT_EQ(request.part->V, before.V);
+        EXPECT_EQ(request.part->F, before.F);
+    }
+    EXPECT_GT(cancelledRuns, 40) << "only a last report may come too late";
 }
 
 TEST(Design, KeepsWhatItReachedWhereAsked) {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/strain.h"
+
+#include "mesh/measures.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace moldwright {
+
+namespace {
+
+constexpr double kPercentile = 0.01;
+
+/// A face's edges from its first corner, in a frame of its own plane.
+Eigen::Matrix2d edgesInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const Eigen::Vector3d x = (b - a).normalized();
+    const Eigen::Vector3d up = (b - a).cross(c - a);
+    const Eigen::Vector3d y = up.cross(x).normalized();
+    Eigen::Matrix2d edges;
+    edges << (b - a).norm(), (c - a).dot(x), 0, (c - a).dot(y);
+    return edges;
+}
+
+/// The value below which `share` of the weight lies.
+double percentile(std::vector<std::pair<double, double>> valueAndWeight, double share) {
+    if (valueAndWeight.empty())
+        return 1;
+    std::sort(valueAndWeight.begin(), valueAndWeight.end());
+    const double whole = std::accumulate(valueAndWeight.begin(), valueAndWeight.end(), 0.0,
+                                         [](double sum, const auto& entry) { return sum + entry.second; });
+    double sum = 0;
+    for (const auto& [value, weight] : valueAndWeight) {
+        sum += weight;
+        if (sum >= share * whole)
+            return value;
+    }
+    return valueAndWeight.back().first;
+}
+
+/// √(mean of the squared angle between neighbouring faces, weighed by the length of their edge).
+double rmsDihedral(const IndexedMesh& mesh) {
+    std::map<std::pair<int, int>, int> faceAt;
+    double sum = 0;
+    double length = 0;
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int a = mesh.F(f, k);
+            const int b = mesh.F(f, (k + 1) % 3);
+            faceAt[{a, b}] = f;
+            const auto across = faceAt.find({b, a});
+            if (across == faceAt.end())
+                continue;
+            const Eigen::Vector3d m = doubleAreaVector(mesh, f);
+            const Eigen::Vector3d n = doubleAreaVector(mesh, across->second);
+            const double angle = std::atan2(m.cross(n).norm(), m.dot(n));
+            const double edge = (mesh.point(b) - mesh.point(a)).norm();
+            sum += edge * angle * angle;
+            length += edge;
+        }
+    return length > 0 ? std::sqrt(sum / length) : 0;
+}
+
+} // namespace
+
+SurfaceStrain surfaceStrain(const IndexedMesh& before, const IndexedMesh& cast,
+                            const std::vector<int>& sourceVertex) {
+    std::vector<std::pair<double, double>> low;
+    std::vector<std::pair<double, double>> high;
+    double squares = 0;
+    double whole = 0;
+    for (int f = 0; f < cast.faceCount(); ++f) {
+        std::array<Eigen::Vector3d, 3> x;
+        for (int k = 0; k < 3; ++k)
+            x[static_cast<std::size_t>(k)] =
+                before.point(sourceVertex[static_cast<std::size_t>(cast.F(f, k))]);
+        const double area = (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
+        if (!(area > 0))
+            continue;
+        const Eigen::Matrix2d F = edgesInPlane(cast.corner(f, 0), cast.corner(f, 1), cast.corner(f, 2)) *
+                                  edgesInPlane(x[0], x[1], x[2]).inverse();
+        const Eigen::Vector2d sigma = F.jacobiSvd().singularValues();
+        squares += area * (sigma.array() - 1).square().sum();
+        whole += area;
+        high.emplace_back(sigma[0], area);
+        low.emplace_back(sigma[1], area);
+    }
+    const double rough = rmsDihedral(before);
+    return {whole > 0 ? std::sqrt(squares / whole) : 0, percentile(std::move(low), kPercentile),
+            percentile(std::move(high), 1 - kPercentile), rough > 0 ? rmsDihedral(cast) / rough : 1};
+}
+
+} // namespace moldwright

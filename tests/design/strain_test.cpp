@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/strain.h"
+
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace moldwright;
+
+namespace {
+
+std::vector<int> same(const IndexedMesh& mesh) {
+    std::vector<int> source(static_cast<std::size_t>(mesh.vertexCount()));
+    std::iota(source.begin(), source.end(), 0);
+    return source;
+}
+
+} // namespace
+
+TEST(Strain, ARigidMotionStrainsNothing) {
+    const IndexedMesh ball = test::sphere({1, 2, 3}, 5, 2);
+    const IndexedMesh turned = test::rotated(ball, Eigen::Vector3d(1, 2, 2).normalized(), 0.7);
+    const SurfaceStrain strain = surfaceStrain(ball, turned, same(ball));
+    EXPECT_NEAR(strain.rms, 0, 1e-12);
+    EXPECT_NEAR(strain.stretchLow, 1, 1e-12);
+    EXPECT_NEAR(strain.stretchHigh, 1, 1e-12);
+    EXPECT_NEAR(strain.roughness, 1, 1e-12);
+}
+
+TEST(Strain, AScaledShapeIsStretchedAlikeEverywhere) {
+    const IndexedMesh ball = test::sphere({0, 0, 0}, 5, 2);
+    IndexedMesh larger = ball;
+    larger.V *= 1.1;
+    const SurfaceStrain strain = surfaceStrain(ball, larger, same(ball));
+    EXPECT_NEAR(strain.rms, std::sqrt(2 * 0.1 * 0.1), 1e-12);
+    EXPECT_NEAR(strain.stretchLow, 1.1, 1e-12);
+    EXPECT_NEAR(strain.stretchHigh, 1.1, 1e-12);
+}
+
+TEST(Strain, AStretchedBoxShowsBothPrincipalStretches) {
+    const IndexedMesh box = test::splitInFour(test::box({0, 0, 0}, {1, 1, 1}));
+    IndexedMesh longer = box;
+    longer.V.col(0) *= 2;
+    const SurfaceStrain strain = surfaceStrain(box, longer, same(box));
+    EXPECT_NEAR(strain.stretchHigh, 2, 1e-12);
+    EXPECT_NEAR(strain.stretchLow, 1, 1e-12);
+    EXPECT_NEAR(strain.rms, std::sqrt(4.0 / 6.0), 1e-12) << "four of six sides are twice as long one way";
+}
+
+TEST(Strain, ADentMakesTheSurfaceRougher) {
+    const IndexedMesh ball = test::sphere({0, 0, 0}, 5, 3);
+    IndexedMesh dented = ball;
+    dented.V.row(7) *= 0.8;
+    EXPECT_GT(surfaceStrain(ball, dented, same(ball)).roughness, 1.1);
+}
