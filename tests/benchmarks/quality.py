@@ -23,6 +23,7 @@ that the program chooses; for each the default and, below it, the published meth
   part's. **filled**: share of the part's volume that filling added.
 - **strain**: rms of the principal stretches of the surface less 1. **stretch**: their 1st and 99th percentile by area.
   **rough**: rms angle between neighbouring faces over that of the part.
+  Long thin faces of made parts that the clean-up joined differently count as strained (xy joint).
 - **limbs**: the smallest length and volume of any limb, over the part's. Limbs are found on the part; corners of plates
   count as limbs too.
 
