@@ -552,6 +552,10 @@
         <translation>Noch nicht gewählt</translation>
     </message>
     <message>
+        <source>Found by the run</source>
+        <translation>Vom Lauf gefunden</translation>
+    </message>
+    <message>
         <source>Number %1 of %2</source>
         <translation>Nummer %1 von %2</translation>
     </message>

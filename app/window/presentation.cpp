@@ -95,7 +95,8 @@ std::array<StepState, stepCount> stepStates(const Workbench& bench) {
     const double longest = boundingBox(*project.part).sizes().maxCoeff();
     states[int(Step::Part)] = {Standing::Done, Words::tr("%1, closed").arg(lengthText(longest))};
     states[int(Step::Plane)] =
-        !project.planeChosenByHand ? StepState{Standing::Todo, Words::tr("Not chosen yet")}
+        !project.planeChosenByHand && project.cast ? StepState{Standing::Done, Words::tr("Found by the run")}
+        : !project.planeChosenByHand               ? StepState{Standing::Todo, Words::tr("Not chosen yet")}
         : bench.candidate() >= 0 && project.state == bench.candidates()[bench.candidate()].state
             ? StepState{Standing::Done, Words::tr("Number %1 of %2")
                                             .arg(bench.candidate() + 1)
