@@ -42,6 +42,15 @@ ChoiceProperty directionChoices() {
     return {{Words::tr("Best for the plane"), Words::tr("Along the normal"), Words::tr("As they are")}};
 }
 
+/// How a run is to choose the removal directions.
+auto directionRows() -> decltype(PropertySection::rows) {
+    return {Property{u"choice"_s, Words::tr("Directions"),
+                     Words::tr("How the removal directions are chosen."), directionChoices()},
+            number(u"tilt"_s, Words::tr("Tilt limit"),
+                   Words::tr("How far a direction may lean from the plane's normal."),
+                   {u"°"_s, 0, 60, 1, 0, true})};
+}
+
 PropertyPage partPage(const Workbench& bench, const Actions& actions) {
     PropertyPage page{
         u"part"_s, u"part"_s, QString::fromStdString(bench.project().name), Words::tr("Part"), {}};
@@ -117,15 +126,7 @@ PropertyPage directionPage(int side, const Workbench& bench, const Actions& acti
           reading(u"components%1"_s.arg(side), Words::tr("X, Y, Z"))},
          {actions[u"best-directions"_s], actions[u"normal-directions"_s]},
          false});
-    page.sections.push_back(
-        {Words::tr("While it runs"),
-         {Property{u"choice"_s, Words::tr("Directions"), Words::tr("How the removal directions are chosen."),
-                   directionChoices()},
-          number(u"tilt"_s, Words::tr("Tilt limit"),
-                 Words::tr("How far a direction may lean from the plane's normal."),
-                 {u"°"_s, 0, 60, 1, 0, true})},
-         {},
-         false});
+    page.sections.push_back({Words::tr("While it runs"), directionRows(), {}, false});
     page.sections.push_back({Words::tr("Measured"),
                              {goalReading(u"worst"_s, Words::tr("Worst draft")),
                               goalReading(u"below"_s, Words::tr("Area below"))},
@@ -149,12 +150,7 @@ PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
          ChoiceProperty{{Words::tr("Leave as it is"), Words::tr("Fill")}}});
     page.sections.push_back(goal);
     page.sections.push_back(
-        {Words::tr("While it runs"),
-         {Property{u"choice"_s, Words::tr("Directions"), Words::tr("How the removal directions are chosen."),
-                   directionChoices()},
-          number(u"tilt"_s, Words::tr("Tilt limit"),
-                 Words::tr("How far a direction may lean from the plane's normal."),
-                 {u"°"_s, 0, 60, 1, 0, true})},
+        {Words::tr("While it runs"), directionRows(),
          bench.running()
              ? std::vector<QAction*>{actions[u"finish"_s], actions[u"pause"_s], actions[u"stop"_s]}
              : std::vector<QAction*>{actions[u"run"_s], actions[u"restore"_s]},

@@ -62,6 +62,18 @@ std::vector<int> tetsBehindFaces(const Tetrahedra& T, const Triangles& F) {
     return behind;
 }
 
+std::vector<double> tetWeights(const Tetrahedra& T, const Triangles& F,
+                               const std::vector<double>& faceWeights) {
+    std::vector<double> weights(static_cast<std::size_t>(T.rows()), 1);
+    const std::vector<int> behind = tetsBehindFaces(T, F);
+    for (std::size_t f = 0; f < faceWeights.size(); ++f)
+        if (behind[f] >= 0) {
+            double& tet = weights[static_cast<std::size_t>(behind[f])];
+            tet = std::max(tet, faceWeights[f]);
+        }
+    return weights;
+}
+
 int invertedCount(const Tetrahedra& T, const Eigen::Ref<const Eigen::MatrixXd>& V) {
     int inverted = 0;
     for (Eigen::Index t = 0; t < T.rows(); ++t) {

@@ -31,19 +31,11 @@ double meanEdge(const IndexedMesh& mesh) {
     return sum / (3.0 * mesh.faceCount());
 }
 
-/// Importance of each tetrahedron: that of the heaviest painted face on it. [Stein 2019], Section 6.2.
-std::vector<double> tetWeights(const PartedSolid& solid, const std::vector<double>& faceWeights) {
-    if (faceWeights.empty())
-        return {};
-    std::vector<double> weights(static_cast<std::size_t>(solid.tets.T.rows()), 1);
-    const std::vector<int> behind = tetsBehindFaces(solid.tets.T, solid.surface.mesh.F);
-    for (std::size_t f = 0; f < behind.size(); ++f) {
-        if (solid.surface.sourceFace[f] < 0)
-            continue;
-        const double weight = faceWeights[static_cast<std::size_t>(solid.surface.sourceFace[f])];
-        double& tet = weights[static_cast<std::size_t>(behind[f])];
-        tet = std::max(tet, weight);
-    }
+/// Importance of each face of the solid: its source's; 1 where filling made it.
+std::vector<double> solidFaceWeights(const PartedSolid& solid, const std::vector<double>& partWeights) {
+    std::vector<double> weights;
+    for (const int source : solid.surface.sourceFace)
+        weights.push_back(source < 0 ? 1 : partWeights[static_cast<std::size_t>(source)]);
     return weights;
 }
 
@@ -52,7 +44,9 @@ LabelledBody bodyOf(const PartedSolid& solid, const ShapeGoal& goal) {
     body.shape.V = solid.tets.V;
     body.shape.T = solid.tets.T;
     body.shape.F = solid.surface.mesh.F;
-    body.shape.tetWeights = tetWeights(solid, goal.faceWeights);
+    if (!goal.faceWeights.empty())
+        body.shape.tetWeights =
+            tetWeights(solid.tets.T, solid.surface.mesh.F, solidFaceWeights(solid, goal.faceWeights));
     body.shape.membrane = kMembrane * meanEdge(solid.surface.mesh);
     body.shape.volumeStiffness = kVolume;
     body.labels = solid.surface.labels;

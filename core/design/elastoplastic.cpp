@@ -59,14 +59,7 @@ void Elastoplastic::setPins(const std::vector<Pin>& pins) {
 }
 
 void Elastoplastic::setFaceWeights(const std::vector<double>& faceWeights) {
-    std::vector<double> weights(static_cast<std::size_t>(m_solver.shape().T.rows()), 1);
-    const std::vector<int> behind = tetsBehindFaces(m_solver.shape().T, m_part->F);
-    for (std::size_t f = 0; f < faceWeights.size(); ++f)
-        if (behind[f] >= 0) {
-            double& tet = weights[static_cast<std::size_t>(behind[f])];
-            tet = std::max(tet, faceWeights[f]);
-        }
-    m_solver.setTetWeights(std::move(weights));
+    m_solver.setTetWeights(tetWeights(m_solver.shape().T, m_part->F, faceWeights));
 }
 
 /// Faces that cross the plane get no side: post-processing takes care of them.
