@@ -114,6 +114,9 @@ Result<void> writeDesign(const std::filesystem::path& folder, const std::string&
         if (auto done = writeMesh(folder / "cast.stl", *result.cast, MeshFormat::StlBinary); !done)
             return done;
     }
+    if (result.parted)
+        if (auto done = writeSidedMesh(folder / "parted.ply", *result.parted, result.partedLabels); !done)
+            return done;
     if (auto done =
             writeFileAtomically(folder / "design.json", textOf(designJson(inputFile, request, result)));
         !done)

@@ -177,6 +177,12 @@ void fillWhereWanted(const IndexedMesh& shape, const MoldStates& states, Tries& 
         tries.take(tryFilling(shape, state, FillExtent::All, task, run));
 }
 
+void tellObstructions(DesignResult& result, ObstructedPart obstructed) {
+    result.obstructions = std::move(obstructed.obstructions);
+    result.parted = std::make_shared<const IndexedMesh>(std::move(obstructed.mesh));
+    result.partedLabels = std::move(obstructed.labels);
+}
+
 /// Pins first pull the whole part, unsplit, until they lie in the plane: [Stein 2019], Section 6.1.
 Result<SharedMesh> pinned(const MoldState& state, DesignRun& run) {
     Result<Elastoplastic> solver = elastoplasticAt(state, run);
@@ -207,21 +213,22 @@ Result<DesignResult> designByBending(DesignRun& run) {
     if (!states)
         return std::unexpected(states.error());
     Tries tries = tryStates(*shape, *states, run);
-    std::vector<Obstruction> obstructions;
+    ObstructedPart obstructed;
     if (!tries.first && !run.stopped())
-        obstructions = obstructionsAt(*shape, states->best());
+        obstructed = obstructionsAt(*shape, states->best());
     if (request.fill == FillChoice::Auto)
         fillWhereWanted(*shape, *states, tries, run);
     if (!tries.best) {
         if (run.stopped())
             return DesignRun::cancelled();
-        if (obstructions.empty())
+        if (obstructed.obstructions.empty())
             return std::unexpected(*tries.lastError);
         tries.best.emplace();
         tries.best->state = states->best();
-        tries.best->certificate.reason = obstructions.front().message.english();
+        tries.best->certificate.reason = obstructed.obstructions.front().message.english();
     }
-    tries.best->obstructions = std::move(obstructions);
+    if (!obstructed.obstructions.empty())
+        tellObstructions(*tries.best, std::move(obstructed));
     return *tries.best;
 }
 

@@ -104,6 +104,8 @@ struct DesignResult {
     SurfaceStrain strain; ///< from the part, filled where it was filled, to the cast
     std::vector<LimbMeasure> limbs;
     std::vector<Obstruction> obstructions;
+    SharedMesh parted;       ///< mm, part frame: the part with its parting line, where obstructions were found
+    SideLabels partedLabels; ///< side of each face of parted
     std::vector<Message> warnings;
     int tets = 0;
     int plasticSteps = 0;

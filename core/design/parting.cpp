@@ -20,6 +20,15 @@ constexpr std::array kSnaps = {0.25, 0.1, 0.02, 0.0};
 constexpr std::array kReaches = {0.015, 0.0};
 constexpr int kUncrossingRounds = 10;
 
+/// How a part is parted to see what hangs together: as it will be; then untouched, so that no snapped point
+/// is blamed on the part.
+struct Parting {
+    double reach;
+    double snap;
+};
+constexpr std::array kPartings = {Parting{kReaches.front(), kSnaps.front()}, Parting{0, kSnaps.front()},
+                                  Parting{0, 0}};
+
 /// crossNearPoints() where that makes nothing cross: points of faces that then intersect go back, with their
 /// neighbours.
 IndexedMesh crossWhereFree(const IndexedMesh& work, double reach) {
@@ -71,20 +80,21 @@ Error crossesItself() {
 
 bool planePasses(const IndexedMesh& part, const MoldState& state) {
     const IndexedMesh work = WorkingFrame(part, state).toWork(part);
-    return std::any_of(kReaches.begin(), kReaches.end(), [&](double reach) {
-        const PartedMesh surface = parted(work, reach, kSnaps.front());
+    return std::any_of(kPartings.begin(), kPartings.end(), [&](const Parting& parting) {
+        const PartedMesh surface = parted(work, parting.reach, parting.snap);
         return topologyAllowsCasting(surface.mesh, surface.labels);
     });
 }
 
-std::vector<Obstruction> obstructionsAt(const IndexedMesh& part, const MoldState& state) {
+ObstructedPart obstructionsAt(const IndexedMesh& part, const MoldState& state) {
     const WorkingFrame frame(part, state);
     const IndexedMesh work = frame.toWork(part);
-    std::vector<Obstruction> found;
-    for (const double reach : kReaches) {
-        const PartedMesh surface = parted(work, reach, kSnaps.front());
-        found = findObstructions(surface.mesh, surface.labels, frame);
-        if (found.empty())
+    ObstructedPart found;
+    for (const auto& [reach, snap] : kPartings) {
+        PartedMesh surface = parted(work, reach, snap);
+        found = {findObstructions(surface.mesh, surface.labels, frame), frame.toPart(surface.mesh),
+                 std::move(surface.labels)};
+        if (found.obstructions.empty())
             break;
     }
     return found;
@@ -103,7 +113,7 @@ Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, c
                 !obstructions.empty()) {
                 refusal = Error{
                     ErrorCode::Impossible, obstructions.front().message, {}, {obstructions.front().place}};
-                break; // snapping less does not change what hangs together
+                continue;
             }
             if (!selfIntersections(surface.mesh).empty()) {
                 refusal = crossesItself();

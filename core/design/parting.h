@@ -38,7 +38,14 @@ enum class FillExtent { Needed, All };
 /// Whether the topological certificate holds for the part at `state`.
 [[nodiscard]] bool planePasses(const IndexedMesh& part, const MoldState& state);
 
+/// What can never be cast of the part at one state.
+struct ObstructedPart {
+    std::vector<Obstruction> obstructions; ///< none where planePasses()
+    IndexedMesh mesh;                      ///< the part with its parting line, mm, part frame
+    SideLabels labels;                     ///< side of each face of mesh
+};
+
 /// The obstructions of the part at `state`.
-[[nodiscard]] std::vector<Obstruction> obstructionsAt(const IndexedMesh& part, const MoldState& state);
+[[nodiscard]] ObstructedPart obstructionsAt(const IndexedMesh& part, const MoldState& state);
 
 } // namespace moldwright

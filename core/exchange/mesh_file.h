@@ -6,6 +6,7 @@
 #include "base/task.h"
 #include "mesh/indexed_mesh.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct ReadMesh {
 /// Errors: WriteFailed.
 [[nodiscard]] Result<void> writeMesh(const std::filesystem::path& file, const IndexedMesh& mesh,
                                      MeshFormat format);
+
+/// Writes a PLY as writeMesh() does, with one more property of each face: `uchar side`, the side of the parting
+/// plane that it belongs to. Errors: WriteFailed.
+[[nodiscard]] Result<void> writeSidedMesh(const std::filesystem::path& file, const IndexedMesh& mesh,
+                                          const std::vector<std::uint8_t>& sides);
 
 /// `mesh` with every coordinate rounded to the nearest float: exactly what a binary STL of it holds.
 [[nodiscard]] IndexedMesh roundToFloat(const IndexedMesh& mesh);

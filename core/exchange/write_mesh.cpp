@@ -96,17 +96,21 @@ std::string off(const IndexedMesh& mesh) {
     return out;
 }
 
-std::string ply(const IndexedMesh& mesh) {
+/// `sides`: one per face, or none.
+std::string ply(const IndexedMesh& mesh, const std::vector<std::uint8_t>& sides) {
     std::string out = "ply\nformat binary_little_endian 1.0\ncomment Moldwright\nelement vertex " +
                       std::to_string(mesh.vertexCount()) +
                       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
                       std::to_string(mesh.faceCount()) +
-                      "\nproperty list uchar int vertex_indices\nend_header\n";
+                      "\nproperty list uchar int vertex_indices\n" + (sides.empty() ? "" : "property uchar side\n") +
+                      "end_header\n";
     out.append(reinterpret_cast<const char*>(mesh.V.data()),
                static_cast<std::size_t>(mesh.V.size()) * sizeof(double));
     for (int f = 0; f < mesh.faceCount(); ++f) {
         out += '\3';
         out.append(reinterpret_cast<const char*>(mesh.F.row(f).data()), 3 * sizeof(int));
+        if (!sides.empty())
+            appendRaw(out, sides[static_cast<std::size_t>(f)]);
     }
     return out;
 }
@@ -124,13 +128,18 @@ std::string bytesOf(const IndexedMesh& mesh, MeshFormat format) {
     case MeshFormat::Ply:
         break;
     }
-    return ply(mesh);
+    return ply(mesh, {});
 }
 
 } // namespace
 
 Result<void> writeMesh(const std::filesystem::path& file, const IndexedMesh& mesh, MeshFormat format) {
     return writeFileAtomically(file, bytesOf(mesh, format));
+}
+
+Result<void> writeSidedMesh(const std::filesystem::path& file, const IndexedMesh& mesh,
+                            const std::vector<std::uint8_t>& sides) {
+    return writeFileAtomically(file, ply(mesh, sides));
 }
 
 IndexedMesh roundToFloat(const IndexedMesh& mesh) {

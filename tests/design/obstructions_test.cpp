@@ -34,23 +34,23 @@ TEST(Obstructions, ALinkIsToldFromAHandle) {
             return obstruction.kind == Obstruction::Kind::Link;
         });
     };
-    const auto linked = obstructionsAt(test::together(first, second), level(0));
+    const auto linked = obstructionsAt(test::together(first, second), level(0)).obstructions;
     EXPECT_EQ(linked.size(), 4U) << "four arches";
     EXPECT_EQ(links(linked), 2) << "on each side the second spans the first's foot";
     second.V.col(0).array() += 60;
-    const auto apart = obstructionsAt(test::together(first, second), level(0));
+    const auto apart = obstructionsAt(test::together(first, second), level(0)).obstructions;
     EXPECT_EQ(apart.size(), 4U);
     EXPECT_EQ(links(apart), 0);
 }
 
 TEST(Obstructions, NothingStandsInTheWayOfARingLyingFlat) {
     const IndexedMesh ring = test::torus(20, 5, 40, 16);
-    EXPECT_TRUE(obstructionsAt(ring, level(0)).empty());
+    EXPECT_TRUE(obstructionsAt(ring, level(0)).obstructions.empty());
     EXPECT_TRUE(planePasses(ring, level(0)));
 }
 
 TEST(Obstructions, AStandingRingIsAnArchOnBothSides) {
-    const auto found = obstructionsAt(standingRing(), level(0));
+    const auto found = obstructionsAt(standingRing(), level(0)).obstructions;
     ASSERT_EQ(found.size(), 2U);
     for (const Obstruction& arch : found) {
         EXPECT_EQ(arch.kind, Obstruction::Kind::Handle);
@@ -64,7 +64,7 @@ TEST(Obstructions, AStandingRingIsAnArchOnBothSides) {
 }
 
 TEST(Obstructions, ARingAboveThePlaneIsAHandle) {
-    const auto found = obstructionsAt(standingRing(), level(-22));
+    const auto found = obstructionsAt(standingRing(), level(-22)).obstructions;
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, Obstruction::Kind::Handle);
     EXPECT_EQ(found[0].side, 1);
@@ -75,7 +75,7 @@ TEST(Obstructions, ARingAboveThePlaneIsAHandle) {
 }
 
 TEST(Obstructions, APartBesideThePlaneNeverMeetsIt) {
-    const auto found = obstructionsAt(test::sphere({0, 0, 30}, 10, 2), level(0));
+    const auto found = obstructionsAt(test::sphere({0, 0, 30}, 10, 2), level(0)).obstructions;
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].kind, Obstruction::Kind::ClosedPiece);
     EXPECT_LT((found[0].place - Eigen::Vector3d(0, 0, 30)).norm(), 1e-6);
@@ -85,7 +85,7 @@ TEST(Obstructions, PlacesAreInThePartsFrame) {
     const Eigen::Vector3d shift(100, -50, 7);
     IndexedMesh ring = standingRing();
     ring.V.rowwise() += shift.transpose();
-    const auto found = obstructionsAt(ring, level(shift.z()));
+    const auto found = obstructionsAt(ring, level(shift.z())).obstructions;
     ASSERT_EQ(found.size(), 2U);
     for (const Obstruction& arch : found)
         EXPECT_LT((arch.place - shift - Eigen::Vector3d(0, 0, arch.side == 1 ? 12.5 : -12.5)).norm(), 1);

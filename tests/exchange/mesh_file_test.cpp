@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+
 using namespace moldwright;
 
 namespace {
@@ -59,6 +62,23 @@ TEST(MeshFile, AMissingFileIsNamed) {
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::BadInput);
     EXPECT_EQ(read.error().english(), "There is no file /nowhere/part.stl.");
+}
+
+TEST(MeshFile, SidesAreWrittenBesideTheFaces) {
+    const test::ScratchFolder folder;
+    const IndexedMesh mesh = oddShape();
+    std::vector<std::uint8_t> sides(static_cast<std::size_t>(mesh.faceCount()), 2);
+    sides.front() = 1;
+    ASSERT_TRUE(writeSidedMesh(folder.path() / "a.ply", mesh, sides));
+    const auto read = readMesh(folder.path() / "a.ply");
+    ASSERT_TRUE(read) << read.error().english();
+    EXPECT_EQ(read->mesh.V, mesh.V);
+    EXPECT_EQ(read->mesh.F, mesh.F);
+    std::ostringstream bytes;
+    bytes << std::ifstream(folder.path() / "a.ply", std::ios::binary).rdbuf();
+    const std::string faces = bytes.str().substr(bytes.str().size() - 14 * sides.size());
+    for (std::size_t f = 0; f < sides.size(); ++f)
+        EXPECT_EQ(faces[14 * f + 13], sides[f]);
 }
 
 TEST(MeshFile, ACancelledReadAnswersCancelled) {
