@@ -78,8 +78,9 @@ Result<void> drawOpened(const scene::EglContext& context, const Mold& mold,
     constexpr double opening = 0.4;
     scene::Scene view;
     view.setLook(onPaper(), 2);
-    view.setSurface(mold.cast, {});
-    view.setHalves(mold.half1.mesh, mold.half2.mesh, Eigen::Isometry3d::Identity(), mold.directions);
+    view.setSurface(scene::drawnMesh(mold.cast), {});
+    view.setHalves(scene::drawnMesh(mold.half1.mesh), scene::drawnMesh(mold.half2.mesh),
+                   Eigen::Isometry3d::Identity(), mold.directions);
     view.setOpening(opening);
     return write(scene::renderPicture(view, context, fromTheSide, width, height), file);
 }
@@ -89,7 +90,7 @@ Result<void> draw(const scene::EglContext& context, const SharedMesh& mesh, cons
                   const Vector3d& from, int wide, int high, const std::filesystem::path& file) {
     scene::Scene view;
     view.setLook(onPaper(), 2);
-    view.setSurface(mesh, colours);
+    view.setSurface(scene::drawnMesh(mesh), colours);
     return write(scene::renderPicture(view, context, from, wide, high), file);
 }
 
@@ -131,7 +132,7 @@ Result<void> drawThumbnail(const Project& project, const std::filesystem::path& 
         return std::unexpected(context.error());
     scene::Scene view;
     view.setLook(onPaper(), 1);
-    view.setSurface(project.cast ? project.cast->mesh : project.part, {});
+    view.setSurface(scene::drawnMesh(project.cast ? project.cast->mesh : project.part), {});
     return writeFileAtomically(
         file, scene::pngBytes(scene::renderPicture(view, **context, fromFrontRight, wide, high)));
 }

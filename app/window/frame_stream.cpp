@@ -8,12 +8,15 @@
 namespace moldwright {
 
 void FrameStream::put(const DesignFrame& frame, double draftDegrees) {
-    ShownFrame shown{frame, {}};
-    // Which faces to paint red is found here, so that the interface thread need not.
-    if (frame.shape)
-        shown.analysis = frame.labels.empty()
-                             ? analyzeDraft(*frame.shape, frame.state, draftDegrees, false)
-                             : analyzeCast(*frame.shape, frame.labels, frame.state, draftDegrees);
+    // What the view needs is made here, so that the interface thread need not.
+    ShownFrame shown{frame, scene::sketchedMesh(frame.shape), {}};
+    if (frame.shape) {
+        const bool sketched = shown.drawn->sketched();
+        const IndexedMesh& seen = sketched ? *shown.drawn->standIn->mesh : *frame.shape;
+        shown.analysis = frame.labels.empty() || sketched
+                             ? analyzeDraft(seen, frame.state, draftDegrees, false)
+                             : analyzeCast(seen, frame.labels, frame.state, draftDegrees);
+    }
     const std::lock_guard lock(m_mutex);
     m_newest = std::move(shown);
     m_points.push_back({frame.step, frame.energy, frame.worstDraftDegrees, frame.violatingAreaFraction});

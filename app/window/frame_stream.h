@@ -4,6 +4,7 @@
 #include "castability/analysis.h"
 #include "design/design.h"
 #include "panels/progress_plots.h"
+#include "scene/drawn_mesh.h"
 
 #include <mutex>
 #include <optional>
@@ -14,7 +15,8 @@ namespace moldwright {
 /// A frame of a run, ready to be shown.
 struct ShownFrame {
     DesignFrame frame;
-    DraftAnalysis analysis;
+    scene::SharedDrawnMesh drawn; ///< of a large shape only the stand-in
+    DraftAnalysis analysis;       ///< of the shape, of a large one of its stand-in
 };
 
 /// Where a running design leaves its frames: a slot for the newest frame and a list of every step's numbers.

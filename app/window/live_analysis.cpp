@@ -2,20 +2,14 @@
 #include "window/live_analysis.h"
 
 #include "castability/cast_analysis.h"
-#include "mesh/cluster.h"
+
+#include <utility>
 
 namespace moldwright {
 
 namespace {
 
-constexpr int standInFaces = 25000;
-constexpr int largeFaces = 60000; ///< more of them cannot be drawn smoothly everywhere
-
-SharedMesh standInFor(const IndexedMesh& mesh) {
-    if (mesh.faceCount() <= largeFaces)
-        return nullptr;
-    return std::make_shared<const IndexedMesh>(cluster(mesh, standInFaces));
-}
+constexpr std::chrono::milliseconds quiet(120);
 
 } // namespace
 
@@ -26,6 +20,11 @@ LiveAnalysis::LiveAnalysis(QObject* parent) : QObject(parent) {
 }
 
 LiveAnalysis::~LiveAnalysis() {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_ending = true;
+    }
+    m_asked.notify_all();
     m_thread.quit();
     m_thread.wait();
 }
@@ -34,8 +33,20 @@ void LiveAnalysis::ask(const AnalysisRequest& request) {
     const std::lock_guard lock(m_mutex);
     const bool asleep = !m_waiting;
     m_waiting = request;
+    m_asked.notify_all();
     if (asleep)
         QMetaObject::invokeMethod(&m_place, [this] { work(); });
+}
+
+bool LiveAnalysis::somethingNewer() {
+    std::unique_lock lock(m_mutex);
+    // In the middle of a drag the next request is near, and the view wants the processor.
+    return m_asked.wait_for(lock, quiet, [this] { return m_waiting || m_ending; });
+}
+
+void LiveAnalysis::answer(AnalysisAnswer answer) {
+    auto shared = std::make_shared<const AnalysisAnswer>(std::move(answer));
+    QMetaObject::invokeMethod(this, [this, shared] { Q_EMIT answered(shared); });
 }
 
 void LiveAnalysis::work() {
@@ -46,25 +57,35 @@ void LiveAnalysis::work() {
     }
     if (!request)
         return;
-    auto answer = std::make_shared<AnalysisAnswer>();
-    answer->request = *request;
-    if (request->state && !request->labels.empty()) {
-        answer->certificate =
-            certify(*request->mesh, request->labels, *request->state, request->draftDegrees);
-        answer->analysis = analyzeCast(*request->mesh, request->labels, *request->state,
-                                       request->draftDegrees, *answer->certificate);
-    } else if (request->state) {
-        answer->analysis = analyzeDraft(*request->mesh, *request->state, request->draftDegrees, false);
+    if (!m_drawn || m_drawn->mesh != request->mesh) {
+        m_drawn = scene::sketchedMesh(request->mesh);
+        m_picker.reset();
     }
-    if (!m_picker || m_picker->mesh() != request->mesh) {
+    AnalysisAnswer found{*request, m_drawn, m_picker, false, {}, {}, {}};
+    if (m_drawn->standIn) {
+        if (request->state)
+            found.standInAnalysis =
+                analyzeDraft(*m_drawn->standIn->mesh, *request->state, request->draftDegrees, false);
+        AnalysisAnswer first = found;
+        first.coarse = true;
+        first.analysis = found.standInAnalysis;
+        answer(std::move(first));
+        if (somethingNewer())
+            return;
+    }
+    m_drawn = scene::completed(m_drawn);
+    if (!m_picker)
         m_picker = std::make_shared<scene::SurfacePicker>(request->mesh);
-        m_standIn = standInFor(*request->mesh);
+    found.drawn = m_drawn;
+    found.picker = m_picker;
+    if (request->state && !request->labels.empty()) {
+        found.certificate = certify(*request->mesh, request->labels, *request->state, request->draftDegrees);
+        found.analysis = analyzeCast(*request->mesh, request->labels, *request->state, request->draftDegrees,
+                                     *found.certificate);
+    } else if (request->state) {
+        found.analysis = analyzeDraft(*request->mesh, *request->state, request->draftDegrees, false);
     }
-    answer->picker = m_picker;
-    answer->standIn = m_standIn;
-    if (m_standIn && request->state)
-        answer->standInAnalysis = analyzeDraft(*m_standIn, *request->state, request->draftDegrees, false);
-    QMetaObject::invokeMethod(this, [this, answer] { Q_EMIT answered(answer); });
+    answer(std::move(found));
 }
 
 } // namespace moldwright

@@ -4,11 +4,13 @@
 #include "castability/analysis.h"
 #include "castability/certificate.h"
 #include "mesh/indexed_mesh.h"
+#include "scene/drawn_mesh.h"
 #include "scene/surface_picker.h"
 
 #include <QObject>
 #include <QThread>
 
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -26,15 +28,18 @@ struct AnalysisRequest {
 /// What was found, and for what.
 struct AnalysisAnswer {
     AnalysisRequest request;
+    scene::SharedDrawnMesh drawn;
+    std::shared_ptr<const scene::SurfacePicker> picker; ///< null until it is made
+    /// Of a large mesh the stand-in comes first: `analysis` is then the stand-in's, there is no proof yet,
+    /// and another answer follows unless something newer is asked.
+    bool coarse = false;
     DraftAnalysis analysis; ///< empty without a state
-    std::optional<Certificate> certificate;
-    std::shared_ptr<const scene::SurfacePicker> picker;
-    SharedMesh standIn; ///< coarser, to be drawn while something moves; null for a small mesh
     DraftAnalysis standInAnalysis;
+    std::optional<Certificate> certificate;
 };
 
-/// Keeps draft analysis, proof and picking up with the project, on a thread of its own. While it computes,
-/// only the newest request waits; older ones are dropped.
+/// Keeps the drawn surface, draft analysis, proof and picking up with the project, on a thread of its own.
+/// While it computes, only the newest request waits; older ones are dropped.
 class LiveAnalysis : public QObject {
     Q_OBJECT
 public:
@@ -48,13 +53,18 @@ Q_SIGNALS:
 
 private:
     void work();
+    /// Waits a moment for it; also true when it is time to end.
+    [[nodiscard]] bool somethingNewer();
+    void answer(AnalysisAnswer answer);
 
     QThread m_thread;
     QObject m_place; ///< lives on the thread
     std::mutex m_mutex;
+    std::condition_variable m_asked;
     std::optional<AnalysisRequest> m_waiting;
-    std::shared_ptr<const scene::SurfacePicker> m_picker;
-    SharedMesh m_standIn; ///< of the picker's mesh
+    bool m_ending = false;
+    scene::SharedDrawnMesh m_drawn;
+    std::shared_ptr<const scene::SurfacePicker> m_picker; ///< of the mesh drawn
 };
 
 } // namespace moldwright

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/main_window.h"
 
-#include "mesh/measures.h"
 #include "panels/banner.h"
 #include "panels/dock_title.h"
 #include "panels/message_list.h"
@@ -23,6 +22,8 @@
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QStackedWidget>
+
+#include <utility>
 
 namespace moldwright {
 
@@ -48,8 +49,6 @@ MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     connectView();
     restoreLayout();
     applyTheme();
-    if (m_bench.project().part)
-        m_view->fitAll(true);
     m_centre->currentWidget()->setFocus();
 }
 
@@ -66,7 +65,6 @@ void MainWindow::applyTheme() {
     bar.setColor(QPalette::Button, t.panel);
     m_workflow->setPalette(bar);
     m_workflow->setAutoFillBackground(true);
-    m_shownMesh = nullptr;
     m_shownMold = nullptr;
     refreshProperties(true);
     refresh();
@@ -108,46 +106,62 @@ void MainWindow::refresh() {
 
 void MainWindow::refreshView() {
     scene::Scene& scene = m_view->scene();
-    const SharedMesh mesh = m_bench.shownMesh();
-    const double required = m_bench.project().design.draftDegrees;
-    const auto colours = faceColours(mesh ? mesh->F.rows() : 0, m_bench.shownAnalysis(), required, m_mode);
-    if (mesh.get() != m_shownMesh) {
-        scene.setSurface(mesh, colours);
-        m_shownMesh = mesh.get();
-    } else {
-        scene.setFaceColours(colours);
-    }
-    const AnalysisAnswer* answer = m_bench.analysis();
-    if (answer && answer->standIn && answer->request.mesh == mesh)
-        scene.setStandIn(answer->standIn,
-                         faceColours(answer->standIn->F.rows(), &answer->standInAnalysis, required, m_mode));
-    else
-        scene.setStandIn(nullptr, {});
-    const std::optional<MoldState> state = m_bench.shownState();
-    scene.setState(mesh ? state : std::nullopt);
+    const bool inMold = moldShown();
+    m_view->setEditable(!inMold && !m_bench.background().busy());
+    const scene::SharedDrawnMesh drawn = m_bench.drawnSurface();
+    if (m_bench.shownMesh() && !drawn)
+        return; // the last picture stays until the next one can be drawn
+    scene.setState(drawn ? m_bench.shownState() : std::nullopt);
+    showSurface(drawn);
     if (m_bench.analysis())
         m_view->setPicker(m_bench.analysis()->picker);
-    showMold(moldShown());
-    const bool inMold = moldShown();
+    showMold(inMold);
     scene.setSurfaceVisible(m_visible.shape);
     scene.setPlaneVisible(m_visible.plane && !inMold);
     scene.setDirectionsVisible(m_visible.directions && !inMold);
-    m_view->setEditable(!inMold && !m_bench.background().busy());
     m_view->setTiltLimit(m_bench.project().design.maxTiltDegrees);
     scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, m_mode));
     scene.setStateChip(stateChipFor(m_bench));
+    scene.setChips(drawn && m_visible.directions && !inMold ? directionChips() : std::vector<scene::Chip>());
+    if (drawn && std::exchange(m_fitWhenDrawn, false)) {
+        m_view->lookHome();
+        m_view->fitAll(true);
+    }
+    m_view->redraw();
+}
+
+void MainWindow::showSurface(const scene::SharedDrawnMesh& drawn) {
+    scene::Scene& scene = m_view->scene();
+    if (drawn != scene.surface())
+        scene.setSurface(drawn, {});
+    if (!drawn)
+        return;
+    const double required = m_bench.project().design.draftDegrees;
+    const auto colours = [&](const DraftAnalysis* analysis, const IndexedMesh& mesh) {
+        return faceColours(mesh.F.rows(), analysis, required, m_mode);
+    };
+    const bool coarse = m_bench.analysisIsCoarse();
+    m_view->setCoarse(coarse);
+    m_view->setLive(m_bench.running() && !m_bench.resting());
+    if (!coarse)
+        scene.setFaceColours(colours(m_bench.shownAnalysis(), *drawn->mesh));
+    if (drawn->standIn)
+        scene.setStandInColours(colours(
+            coarse ? m_bench.shownAnalysis() : &m_bench.analysis()->standInAnalysis, *drawn->standIn->mesh));
+}
+
+std::vector<scene::Chip> MainWindow::directionChips() const {
     std::vector<scene::Chip> chips;
-    if (mesh && state && m_visible.directions && !inMold)
+    if (const auto state = m_bench.shownState())
         for (const int side : {1, 2})
             chips.push_back(
-                {scene.arrowTip(side),
+                {m_view->scene().arrowTip(side),
                  {{},
                   {{std::nullopt,
                     {{std::to_string(side), side == 1 ? scene::Ink::Side1 : scene::Ink::Side2, true},
                      {tr("%1 to plane normal").arg(angleText(tiltDegrees(*state, side))).toStdString()}},
                     {}}}}});
-    scene.setChips(chips);
-    m_view->update();
+    return chips;
 }
 
 bool MainWindow::moldShown() const {
@@ -164,7 +178,7 @@ void MainWindow::showMold(bool shown) {
     scene::Scene& scene = m_view->scene();
     if (shown) {
         const Mold& mold = *m_bench.mold();
-        scene.setHalves(mold.half1.mesh, mold.half2.mesh, mold.partToMold.inverse(),
+        scene.setHalves(m_bench.drawnHalf(1), m_bench.drawnHalf(2), mold.partToMold.inverse(),
                         m_bench.project().cast->state.directions);
         scene.setOpening(m_viewBar->opening());
     } else {

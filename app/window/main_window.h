@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "scene/drawn_mesh.h"
+#include "scene/overlay.h"
 #include "theme/theme.h"
 #include "window/action_table.h"
 #include "window/presentation.h"
@@ -105,6 +107,8 @@ private:
     void refreshSoon() { m_refresh.start(); }
     void refresh();
     void refreshView();
+    void showSurface(const scene::SharedDrawnMesh& drawn);
+    [[nodiscard]] std::vector<scene::Chip> directionChips() const;
     void refreshHistory();
     void refreshActions();
     void refreshTitle();
@@ -125,8 +129,8 @@ private:
     Visibility m_visible;
     DisplayMode m_mode = DisplayMode::Undercuts;
     QString m_selected = QStringLiteral("part");
-    const void* m_shownMesh = nullptr; ///< what the scene holds, to change it only when needed
-    const void* m_shownMold = nullptr;
+    bool m_fitWhenDrawn = true;        ///< the next surface is to be brought into sight
+    const void* m_shownMold = nullptr; ///< what the scene holds, to change it only when needed
 
     WorkflowBar* m_workflow = nullptr;
     QStackedWidget* m_centre = nullptr;

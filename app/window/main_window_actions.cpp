@@ -94,11 +94,11 @@ void MainWindow::connectViewActions() {
     });
     m_actions.on(u"show-edges"_s, [this] {
         m_view->scene().setEdges(m_actions[u"show-edges"_s]->isChecked());
-        m_view->update();
+        m_view->redraw();
     });
     m_actions.on(u"see-through"_s, [this] {
         m_view->scene().setSeeThrough(m_actions[u"see-through"_s]->isChecked());
-        m_view->update();
+        m_view->redraw();
     });
     m_actions.on(u"screenshot"_s, [this] { saveScreenshot(); });
 }
@@ -170,9 +170,9 @@ void MainWindow::connectBench() {
     connect(&m_bench, &Workbench::partOpened, this, [this] {
         m_banner->hide();
         select(u"part"_s);
+        m_view->scene().setSurface(nullptr, {});
+        m_fitWhenDrawn = true;
         refresh();
-        m_view->lookHome();
-        m_view->fitAll(true);
         m_view->setFocus();
     });
     connect(&m_bench, &Workbench::unitAsked, this, &MainWindow::askUnit);

@@ -92,7 +92,7 @@ std::array<StepState, stepCount> stepStates(const Workbench& bench) {
     const Project& project = bench.project();
     if (!project.part)
         return states;
-    const double longest = boundingBox(*project.part).sizes().maxCoeff();
+    const double longest = bench.figures(project.part).box.sizes().maxCoeff();
     states[int(Step::Part)] = {Standing::Done, Words::tr("%1, closed").arg(lengthText(longest))};
     states[int(Step::Plane)] =
         !project.planeChosenByHand && project.cast ? StepState{Standing::Done, Words::tr("Found by the run")}
@@ -116,7 +116,7 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
     if (!project.part)
         return rows;
     const auto& t = theme().scene;
-    const double longest = boundingBox(*project.part).sizes().maxCoeff();
+    const double longest = bench.figures(project.part).box.sizes().maxCoeff();
     rows.push_back({.id = u"part"_s,
                     .iconName = u"part"_s,
                     .name = QString::fromStdString(project.name),
@@ -220,7 +220,7 @@ Verdict verdictOf(const Workbench& bench) {
 scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode) {
     scene::PanelContent legend;
     const DraftAnalysis* analysis = bench.shownAnalysis();
-    const SharedMesh mesh = bench.shownMesh();
+    const SharedMesh mesh = bench.analysedMesh();
     if (!analysis || !mesh || mode == DisplayMode::Plain)
         return legend;
     const double required = bench.project().design.draftDegrees;
@@ -229,7 +229,7 @@ scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode) {
     };
     const auto area = [](double mm2) { return u"%1 cm²"_s.arg(mm2 / 100, 0, 'f', 1); };
     if (mode == DisplayMode::Undercuts) {
-        const double all = surfaceArea(*mesh);
+        const double all = bench.figures(bench.shownMesh()).area;
         legend.title = Words::tr("Undercuts").toStdString();
         line(theme().scene.undercut, Words::tr("Draft below %1").arg(angleText(required)),
              area(analysis->violatingArea));

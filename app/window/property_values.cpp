@@ -44,16 +44,17 @@ void fillMeasures(PropertyPanel& panel, const Workbench& bench) {
         panel.setMissesGoal(u"below"_s, analysis->violatingArea > 0);
         panel.setValue(u"energy"_s, measured(QString::number(analysis->energy, 'g', 3), u"0"_s));
     }
-    const double partVolume = volume(*project.part);
+    const MeshFigures part = bench.figures(project.part);
     const bool partPageShown = panel.pageId() == u"part"_s;
-    panel.setValue(u"volume"_s, measured(partPageShown ? u"%1 cm³"_s.arg(partVolume / 1000, 0, 'f', 1)
-                                                       : percentText(volume(*mesh) / partVolume)));
-    const Eigen::Vector3d size = boundingBox(*project.part).sizes();
+    panel.setValue(u"volume"_s,
+                   measured(partPageShown ? u"%1 cm³"_s.arg(part.volume / 1000, 0, 'f', 1)
+                                          : percentText(bench.figures(mesh).volume / part.volume)));
+    const Eigen::Vector3d size = part.box.sizes();
     panel.setValue(
         u"extent"_s,
         measured(
             u"%1 × %2 × %3"_s.arg(size.x(), 0, 'f', 1).arg(size.y(), 0, 'f', 1).arg(size.z(), 0, 'f', 1)));
-    panel.setValue(u"area"_s, measured(u"%1 cm²"_s.arg(surfaceArea(*project.part) / 100, 0, 'f', 1)));
+    panel.setValue(u"area"_s, measured(u"%1 cm²"_s.arg(part.area / 100, 0, 'f', 1)));
     panel.setValue(u"faces"_s, measured(QString::number(project.part->faceCount())));
     const bool cast = bench.castShown();
     panel.setValue(
@@ -214,7 +215,7 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     const Project& project = bench.project();
     if (!project.part)
         return;
-    const Eigen::AlignedBox3d box = boundingBox(*project.part);
+    const Eigen::AlignedBox3d box = bench.figures(project.part).box;
     panel.setValue(u"size"_s, box.sizes().maxCoeff());
     panel.setValue(u"x"_s, box.center().x());
     panel.setValue(u"y"_s, box.center().y());

@@ -60,7 +60,8 @@ void Workbench::askAnalysis() {
 }
 
 bool Workbench::analysisIsCurrent() const {
-    return m_answer && m_answer->request.mesh == shownMesh() && m_answer->request.state == project().state &&
+    return m_answer && !m_answer->coarse && m_answer->request.mesh == shownMesh() &&
+           m_answer->request.state == project().state &&
            m_answer->request.draftDegrees == project().design.draftDegrees;
 }
 
@@ -71,6 +72,22 @@ const DraftAnalysis* Workbench::shownAnalysis() const {
     // faces still fit.
     const bool fits = m_answer && m_answer->request.mesh == shownMesh() && m_answer->request.state;
     return fits ? &m_answer->analysis : nullptr;
+}
+
+bool Workbench::analysisIsCoarse() const {
+    return m_frame ? m_frame->drawn && m_frame->drawn->sketched() : m_answer && m_answer->coarse;
+}
+
+SharedMesh Workbench::analysedMesh() const {
+    const scene::SharedDrawnMesh drawn = drawnSurface();
+    return drawn && analysisIsCoarse() ? drawn->standIn->mesh : shownMesh();
+}
+
+scene::SharedDrawnMesh Workbench::drawnSurface() const {
+    const scene::SharedDrawnMesh drawn = m_frame && m_frame->drawn ? m_frame->drawn
+                                         : m_answer                ? m_answer->drawn
+                                                                   : nullptr;
+    return drawn && drawn->mesh == shownMesh() ? drawn : nullptr;
 }
 
 bool Workbench::castIsProved() const {
@@ -123,7 +140,7 @@ void Workbench::layFlatOn(int face) {
 }
 
 void Workbench::centrePart() {
-    const Eigen::AlignedBox3d box = boundingBox(*project().part);
+    const Eigen::AlignedBox3d box = figures(project().part).box;
     Eigen::Vector3d way = -box.center();
     way.z() = -box.min().z();
     setPlacement(moved(project().placement, Eigen::Isometry3d(Eigen::Translation3d(way))),

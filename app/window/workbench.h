@@ -11,11 +11,13 @@
 #include "window/document.h"
 #include "window/frame_stream.h"
 #include "window/live_analysis.h"
+#include "window/mesh_figures.h"
 #include "window/run_control.h"
 
 #include <QObject>
 #include <QTimer>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -49,10 +51,18 @@ public:
     [[nodiscard]] std::optional<MoldState> shownState() const;
     [[nodiscard]] bool castShown() const { return !m_frame && project().cast; }
 
+    /// shownMesh() made ready to be drawn; null while that is not done.
+    [[nodiscard]] scene::SharedDrawnMesh drawnSurface() const;
+    /// Box, area and volume of a mesh; measured when asked for the first time.
+    [[nodiscard]] MeshFigures figures(const SharedMesh& mesh) const { return m_figures.of(mesh); }
+
     /// The newest analysis; of shownMesh() when analysisIsCurrent().
     [[nodiscard]] const AnalysisAnswer* analysis() const { return m_answer.get(); }
     [[nodiscard]] bool analysisIsCurrent() const;
     [[nodiscard]] const DraftAnalysis* shownAnalysis() const;
+    /// What shownAnalysis() is of: shownMesh(), or its stand-in when `coarse`.
+    [[nodiscard]] bool analysisIsCoarse() const;
+    [[nodiscard]] SharedMesh analysedMesh() const;
 
     /// Whether the cast in view is proved on its coordinates.
     [[nodiscard]] bool castIsProved() const;
@@ -69,6 +79,8 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const Mold>& mold() const { return m_mold; }
     [[nodiscard]] bool moldIsCurrent() const;
+    /// Half 1 or 2 of the mold, ready to be drawn. Precondition: there is a mold.
+    [[nodiscard]] const scene::SharedDrawnMesh& drawnHalf(int side) const { return m_drawnHalves[side - 1]; }
 
     // Files
     void openFile(const QString& file);
@@ -138,6 +150,7 @@ private:
     LiveAnalysis m_analysis;
     MessageModel m_messages;
     std::shared_ptr<const AnalysisAnswer> m_answer;
+    mutable KnownFigures m_figures;
     std::shared_ptr<FrameStream> m_stream;
     std::shared_ptr<RunControl> m_control;
     QTimer m_frameTimer;
@@ -147,6 +160,7 @@ private:
     SharedMesh m_candidatesPart;
     int m_candidate = -1;
     std::shared_ptr<const Mold> m_mold;
+    std::array<scene::SharedDrawnMesh, 2> m_drawnHalves;
     std::shared_ptr<const CastResult> m_moldCast;
     MoldSettings m_moldSettings;
 };

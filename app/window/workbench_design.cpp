@@ -59,7 +59,6 @@ DesignRequest requestFor(const Project& project) {
     request.maxTiltDegrees = project.design.maxTiltDegrees;
     request.method = project.design.method;
     request.fill = project.design.fill;
-    request.fill = project.design.fill;
     request.pins = project.pins;
     request.faceWeights = project.faceWeights;
     request.seed = project.design.seed;
@@ -192,12 +191,17 @@ void Workbench::buildMoldNow() {
     m_background.start(tr("Building the mold"), [=, this](const Task& task) -> Background::Finish {
         const CastResult& cast = *from.cast;
         auto built = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, from.mold, task);
+        const auto drawn = [&](const MoldHalf Mold::* half) {
+            return built ? scene::drawnMesh(((*built).*half).mesh) : nullptr;
+        };
+        const std::array halves{drawn(&Mold::half1), drawn(&Mold::half2)};
         return [=, this, built = std::make_shared<Result<Mold>>(std::move(built))] {
             if (!*built) {
                 complain(built->error(), tr("Building the mold"));
                 return;
             }
             m_mold = std::make_shared<const Mold>(std::move(**built));
+            m_drawnHalves = halves;
             m_moldCast = from.cast;
             m_moldSettings = from.mold;
             if (m_mold->verified())

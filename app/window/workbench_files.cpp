@@ -2,7 +2,6 @@
 // Opening, closing and exporting.
 #include "window/workbench.h"
 
-#include "mesh/measures.h"
 #include "mold/mold_files.h"
 #include "project/edits.h"
 #include "project/project_file.h"
@@ -29,9 +28,9 @@ std::optional<MeshFormat> formatOf(const QString& file) {
 }
 
 /// A plane to begin with: level, through the part's middle.
-MoldState levelPlane(const IndexedMesh& part) {
+MoldState levelPlane(const Eigen::Vector3d& middle) {
     PartingPlane plane;
-    plane.offset = plane.normal.dot(boundingBox(part).center());
+    plane.offset = plane.normal.dot(middle);
     return {plane, Directions::normalTo(plane)};
 }
 
@@ -123,11 +122,11 @@ void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
     const auto source = std::make_shared<const IndexedMesh>(opened.prepared.mesh);
     Project project = withPart(m_document.committed(), opened.name.toStdString(), opened.file.toStdString(),
                                source, {unit, scale, Eigen::Isometry3d::Identity()});
-    project = withState(project, levelPlane(*project.part), false);
+    project = withState(project, levelPlane(figures(project.part).box.center()), false);
     show(project, {});
     if (!opened.file.isEmpty())
         preferences::addRecentFile(opened.file);
-    const Eigen::Vector3d size = boundingBox(*project.part).sizes();
+    const Eigen::Vector3d size = figures(project.part).box.sizes();
     say(Standing::Done, tr("%1 opened: %2 × %3 × %4 mm, closed.")
                             .arg(opened.name)
                             .arg(size.x(), 0, 'f', 1)

@@ -246,13 +246,35 @@ TEST(Editing, ALargeMeshHasAStandInForMovementsThatTellsTheSame) {
     ASSERT_TRUE(writeMesh(file, test::sphere({0, 0, 0}, 30, 7), MeshFormat::Ply));
     ASSERT_TRUE(driver.openMesh(QString::fromStdString(file.string()), 60));
     const AnalysisAnswer& answer = *driver.bench().analysis();
-    ASSERT_TRUE(answer.standIn);
-    EXPECT_LT(answer.standIn->faceCount(), driver.bench().project().part->faceCount() / 2);
+    ASSERT_TRUE(answer.drawn->standIn);
+    EXPECT_LT(answer.drawn->standIn->mesh->faceCount(), driver.bench().project().part->faceCount() / 2);
     EXPECT_NEAR(answer.standInAnalysis.violatingAreaFraction, answer.analysis.violatingAreaFraction, 0.02);
-    EXPECT_TRUE(driver.window().view().scene().hasStandIn());
+    PartView& view = driver.window().view();
+    ASSERT_TRUE(driver.waitFor([&] { return !view.drawing(); }));
+    EXPECT_FALSE(view.scene().standInsUsed());
+    const QImage whole = view.grabFramebuffer();
+    EXPECT_EQ(whole, view.grabFramebuffer()) << "the picture in view is the finished one";
+
+    // While the plane is dragged the red faces follow on the stand-in, from release on exactly.
+    const QPoint grip = view.gripPixel(scene::Grip::SlidePlane);
+    QTest::mousePress(&view, Qt::LeftButton, {}, grip);
+    QMouseEvent move(QEvent::MouseMove, grip + QPoint(0, -70), view.mapToGlobal(grip + QPoint(0, -70)),
+                     Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&view, &move);
+    ASSERT_TRUE(driver.waitFor([&] {
+        return driver.bench().analysisIsCoarse() &&
+               driver.bench().analysis()->request.state == driver.bench().project().state;
+    }));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, grip + QPoint(0, -70));
+    ASSERT_TRUE(driver.waitIdle());
+    ASSERT_TRUE(driver.waitFor([&] { return !view.drawing(); }));
+    EXPECT_FALSE(view.scene().standInsUsed());
+    EXPECT_NE(view.grabFramebuffer(), whole);
+
+    driver.answerQuestion("leave-discard");
     driver.window().actions()[QStringLiteral("start-page")]->trigger();
     ASSERT_TRUE(driver.openSample("praline"));
-    EXPECT_FALSE(driver.window().view().scene().hasStandIn());
+    EXPECT_FALSE(view.scene().surface()->standIn);
 }
 
 TEST(Editing, AnOpenMeshIsRefusedWithASentence) {

@@ -21,7 +21,7 @@ Picture pictureOfBall(const std::vector<Rgb>& colours, Scene& view) {
     SceneColours look = lightColours();
     look.viewTop = look.viewBottom = white;
     view.setLook(look, 1);
-    view.setSurface(std::make_shared<const IndexedMesh>(test::sphere({0, 0, 0}, 10, 5)), colours);
+    view.setSurface(drawnMesh(std::make_shared<const IndexedMesh>(test::sphere({0, 0, 0}, 10, 5))), colours);
     return renderPicture(view, **context, {0, -1, 0}, size, size);
 }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "scene/half_layer.h"
 
-#include "mesh/measures.h"
 #include "scene/camera.h"
-
-#include <vtkMatrix4x4.h>
 
 namespace moldwright::scene {
 
-void HalfLayer::set(const SharedMesh& half, const Eigen::Isometry3d& moldToPart,
+void HalfLayer::set(const SharedDrawnMesh& half, const Eigen::Isometry3d& moldToPart,
                     const Eigen::Vector3d& direction, Rgb colour) {
     m_moldToPart = moldToPart;
     m_direction = direction;
@@ -20,17 +17,13 @@ void HalfLayer::open(double way) {
     m_way = way;
     Eigen::Isometry3d placed = m_moldToPart;
     placed.pretranslate(way * m_direction);
-    vtkNew<vtkMatrix4x4> matrix;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            matrix->SetElement(row, column, placed.matrix()(row, column));
-    m_layer.actor()->SetUserMatrix(matrix);
+    m_layer.setPose(placed);
 }
 
 std::vector<Eigen::Vector3d> HalfLayer::corners() const {
-    if (!shown())
+    if (!m_layer.mesh())
         return {};
-    std::vector<Eigen::Vector3d> corners = cornersOf(boundingBox(*m_layer.mesh()));
+    std::vector<Eigen::Vector3d> corners = cornersOf(m_layer.mesh()->box);
     for (Eigen::Vector3d& corner : corners)
         corner = m_moldToPart * corner + m_way * m_direction;
     return corners;

@@ -12,16 +12,18 @@ namespace moldwright::scene {
 /// when the mold opens.
 class HalfLayer {
 public:
+    explicit HalfLayer(vtkRenderer* renderer) : m_layer(renderer) {}
+
     /// `moldToPart` places the half about the part; `direction` is its removal direction in the part's frame.
-    void set(const SharedMesh& half, const Eigen::Isometry3d& moldToPart, const Eigen::Vector3d& direction,
-             Rgb colour);
+    void set(const SharedDrawnMesh& half, const Eigen::Isometry3d& moldToPart,
+             const Eigen::Vector3d& direction, Rgb colour);
     void clear() { m_layer.setMesh(nullptr, {}); }
 
     /// Opens by `way` mm along the direction.
     void open(double way);
 
-    [[nodiscard]] bool shown() const { return m_layer.mesh() != nullptr; }
-    [[nodiscard]] vtkActor* actor() const { return m_layer.actor(); }
+    [[nodiscard]] MeshLayer& layer() { return m_layer; }
+    [[nodiscard]] const MeshLayer& layer() const { return m_layer; }
 
     /// Corners of its box in the part's frame, opened as it is; none while nothing is shown.
     [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;

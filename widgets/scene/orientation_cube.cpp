@@ -126,7 +126,7 @@ std::optional<Eigen::Vector3d> cubeView(const Camera& camera, double x, double y
 }
 
 OrientationCube::OrientationCube() {
-    m_renderer->SetLayer(1);
+    m_renderer->SetLayer(2);
     m_renderer->InteractiveOff();
     for (int face = 0; face < 6; ++face) {
         m_faces.push_back(faceActor(face));

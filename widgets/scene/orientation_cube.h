@@ -36,7 +36,7 @@ public:
     OrientationCube();
     ~OrientationCube();
 
-    /// Draws over everything else; the caller adds it to a window with two layers.
+    /// Draws over everything else; the caller adds it to a window with three layers.
     [[nodiscard]] vtkRenderer* renderer() const { return m_renderer; }
 
     void setLook(const SceneColours& colours, const CubeWords& words, double scale);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "scene/scene.h"
 
-#include "mesh/measures.h"
-
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkLight.h>
+#include <vtkMath.h>
 #include <vtkRenderWindow.h>
 
 #include <algorithm>
@@ -39,21 +39,19 @@ void addLights(vtkRenderer* renderer) {
 
 } // namespace
 
-Scene::Scene() {
-    m_renderer->SetLayer(0);
-    m_renderer->GradientBackgroundOn();
-    m_renderer->UseFXAAOn();
-    m_renderer->AddActor(m_surface.actor());
-    m_renderer->AddActor(m_standIn.actor());
-    m_renderer->AddActor(m_half1.actor());
-    m_renderer->AddActor(m_half2.actor());
-    m_renderer->AddActor(m_plane.sheet());
-    m_renderer->AddActor(m_plane.outline());
-    m_renderer->AddActor(m_plane.partingLine());
-    m_renderer->AddActor(m_arrow1.actor());
-    m_renderer->AddActor(m_arrow2.actor());
-    m_overlay.addTo(m_renderer);
-    addLights(m_renderer);
+Scene::Scene() : m_surface(m_back), m_half1(m_back), m_half2(m_back) {
+    m_back->SetLayer(0);
+    m_back->GradientBackgroundOn();
+    m_front->SetLayer(1);
+    m_front->PreserveDepthBufferOn();
+    m_front->SetActiveCamera(m_back->GetActiveCamera());
+    setSmoothEdges(true);
+    for (vtkActor* actor :
+         {m_plane.sheet(), m_plane.outline(), m_plane.partingLine(), m_arrow1.actor(), m_arrow2.actor()})
+        m_front->AddActor(actor);
+    m_overlay.addTo(m_front);
+    addLights(m_back);
+    addLights(m_front);
     setLook(m_colours, m_scale);
     updateVisibility();
 }
@@ -62,8 +60,9 @@ Scene::~Scene() = default;
 
 void Scene::showIn(vtkRenderWindow* window, bool withCube) {
     window->SetMultiSamples(0);
-    window->SetNumberOfLayers(2);
-    window->AddRenderer(m_renderer);
+    window->SetNumberOfLayers(3);
+    window->AddRenderer(m_back);
+    window->AddRenderer(m_front);
     if (withCube)
         window->AddRenderer(m_cube.renderer());
 }
@@ -71,8 +70,8 @@ void Scene::showIn(vtkRenderWindow* window, bool withCube) {
 void Scene::setLook(const SceneColours& colours, double scale) {
     m_colours = colours;
     m_scale = scale;
-    m_renderer->SetBackground(colours.viewBottom.unit().data());
-    m_renderer->SetBackground2(colours.viewTop.unit().data());
+    m_back->SetBackground(colours.viewBottom.unit().data());
+    m_back->SetBackground2(colours.viewTop.unit().data());
     m_plane.setColours(colours, scale);
     m_arrow1.setColour(colours.side1);
     m_arrow2.setColour(colours.side2);
@@ -85,33 +84,37 @@ void Scene::setCubeWords(const CubeWords& words) {
     m_cube.setLook(m_colours, words, m_scale);
 }
 
-void Scene::setSurface(const SharedMesh& mesh, std::span<const Rgb> faceColours) {
+Eigen::AlignedBox3d Scene::box() const {
+    return m_surface.mesh() ? m_surface.mesh()->box : Eigen::AlignedBox3d();
+}
+
+std::array<MeshLayer*, 3> Scene::surfaces() {
+    return {&m_surface, &m_half1.layer(), &m_half2.layer()};
+}
+
+void Scene::setSurface(const SharedDrawnMesh& mesh, std::span<const Rgb> faceColours) {
     m_surface.setMesh(mesh, m_colours.part);
     m_surface.setFaceColours(faceColours);
-    m_surfaceBox = mesh ? boundingBox(*mesh) : Eigen::AlignedBox3d();
     placePlane();
     updateVisibility();
 }
 
-void Scene::setFaceColours(std::span<const Rgb> faceColours) {
-    m_surface.setFaceColours(faceColours);
-}
-
-void Scene::setStandIn(const SharedMesh& coarse, std::span<const Rgb> faceColours) {
-    if (coarse != m_standIn.mesh())
-        m_standIn.setMesh(coarse, m_colours.part);
-    m_standIn.setFaceColours(faceColours);
-    updateVisibility();
-}
-
-void Scene::useStandIn(bool use) {
-    m_standInUsed = use;
-    updateVisibility();
+void Scene::useStandIns(bool use) {
+    if (use == m_standInsUsed)
+        return;
+    m_standInsUsed = use;
+    for (MeshLayer* layer : surfaces())
+        layer->useStandIn(use);
+    placePartingLine();
 }
 
 void Scene::setSeeThrough(bool seeThrough) {
+    m_seeThrough = seeThrough;
     m_surface.setOpacity(seeThrough ? 0.35 : 1);
-    m_standIn.setOpacity(seeThrough ? 0.35 : 1);
+}
+
+void Scene::setSmoothEdges(bool smooth) {
+    m_front->SetUseFXAA(smooth); // goes over the whole picture, so it comes last
 }
 
 void Scene::setSurfaceVisible(bool visible) {
@@ -120,6 +123,8 @@ void Scene::setSurfaceVisible(bool visible) {
 }
 
 void Scene::setState(const std::optional<MoldState>& state) {
+    if (state == m_state)
+        return;
     m_state = state;
     placePlane();
     updateVisibility();
@@ -144,48 +149,38 @@ void Scene::setGrips(bool shown, std::optional<Grip> held) {
 void Scene::placePlane() {
     if (!m_state)
         return;
-    m_plane.setPlane(rectangle());
-    if (m_surface.mesh())
-        m_plane.setPartingLine(*m_surface.mesh(), m_state->plane);
-    else
-        m_plane.clearPartingLine();
+    m_rectangle = planeRectangle(m_state->plane, m_surface.mesh() ? m_surface.mesh()->bounds() : Points());
+    m_plane.setPlane(m_rectangle);
+    placePartingLine();
     placeArrows();
 }
 
-PlaneRectangle Scene::rectangle() const {
-    return planeRectangle(m_state ? m_state->plane : PartingPlane{},
-                          m_surface.mesh() ? m_surface.mesh()->V : Points());
-}
-
-Eigen::Vector3d Scene::arrowTail(int side) const {
-    if (!m_surface.mesh())
-        return Eigen::Vector3d::Zero();
-    const Eigen::Vector3d& d = m_state->directions.of(side);
-    const Eigen::Vector3d middle = m_surfaceBox.center();
-    // Just outside the part, however it lies.
-    const double reach = (m_surface.mesh()->V * d).maxCoeff() - middle.dot(d);
-    return middle + (reach + arrowGap * m_surfaceBox.sizes().norm()) * d;
-}
-
-Eigen::Vector3d Scene::arrowTip(int side) const {
-    if (!m_state)
-        return Eigen::Vector3d::Zero();
-    const double length = arrowShare * (m_surfaceBox.isEmpty() ? 1 : m_surfaceBox.sizes().norm());
-    return arrowTail(side) + length * m_state->directions.of(side);
+void Scene::placePartingLine() {
+    const SharedDrawnMesh& mesh = m_surface.mesh();
+    if (!mesh || !m_state)
+        m_plane.clearPartingLine();
+    else
+        m_plane.setPartingLine(m_surface.standsIn() ? *mesh->standIn->mesh : *mesh->mesh, m_state->plane);
 }
 
 void Scene::placeArrows() {
-    const double length = arrowShare * (m_surfaceBox.isEmpty() ? 1 : m_surfaceBox.sizes().norm());
-    m_arrow1.set(arrowTail(1), m_state->directions.d1, length);
-    m_arrow2.set(arrowTail(2), m_state->directions.d2, length);
+    const SharedDrawnMesh& mesh = m_surface.mesh();
+    const double size = mesh ? mesh->box.sizes().norm() : 1;
+    const Eigen::Vector3d middle = mesh ? mesh->box.center() : Eigen::Vector3d::Zero().eval();
+    for (const int side : {1, 2}) {
+        const Eigen::Vector3d& d = m_state->directions.of(side);
+        // Just outside the part, however it lies.
+        const double reach = mesh ? (mesh->bounds() * d).maxCoeff() - middle.dot(d) : 0;
+        const Eigen::Vector3d tail = middle + (reach + arrowGap * size) * d;
+        (side == 1 ? m_arrow1 : m_arrow2).set(tail, d, arrowShare * size);
+        m_arrowTips[side - 1] = tail + arrowShare * size * d;
+    }
 }
 
 void Scene::updateVisibility() {
-    const bool plane = m_state && m_planeVisible && !m_surfaceBox.isEmpty();
-    const bool arrows = m_state && m_directionsVisible && !m_surfaceBox.isEmpty();
-    const bool standsIn = m_standInUsed && m_standIn.mesh();
-    m_surface.actor()->SetVisibility(m_surface.mesh() && m_surfaceVisible && !standsIn);
-    m_standIn.actor()->SetVisibility(standsIn && m_surfaceVisible);
+    const bool plane = m_state && m_planeVisible && m_surface.mesh();
+    const bool arrows = m_state && m_directionsVisible && m_surface.mesh();
+    m_surface.setVisible(m_surfaceVisible);
     m_plane.sheet()->SetVisibility(plane);
     m_plane.outline()->SetVisibility(plane);
     m_plane.partingLine()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);
@@ -196,11 +191,11 @@ void Scene::updateVisibility() {
 
 std::vector<GripPlace> Scene::grips() const {
     std::vector<GripPlace> grips;
-    if (!m_gripsShown || !m_state || m_surfaceBox.isEmpty())
+    if (!m_gripsShown || !m_state || !m_surface.mesh())
         return grips;
     if (m_planeVisible)
         for (const Grip grip : planeGrips)
-            grips.push_back({grip, gripPlace(rectangle(), grip)});
+            grips.push_back({grip, gripPlace(m_rectangle, grip)});
     if (m_directionsVisible) {
         grips.push_back({Grip::Direction1, arrowTip(1)});
         grips.push_back({Grip::Direction2, arrowTip(2)});
@@ -219,8 +214,8 @@ void Scene::showGrips() {
     m_overlay.setGrips(places, held);
 }
 
-void Scene::setHalves(const SharedMesh& half1, const SharedMesh& half2, const Eigen::Isometry3d& moldToPart,
-                      const Directions& directions) {
+void Scene::setHalves(const SharedDrawnMesh& half1, const SharedDrawnMesh& half2,
+                      const Eigen::Isometry3d& moldToPart, const Directions& directions) {
     if (half1)
         m_half1.set(half1, moldToPart, directions.d1, m_colours.half1);
     else
@@ -232,7 +227,7 @@ void Scene::setHalves(const SharedMesh& half1, const SharedMesh& half2, const Ei
 }
 
 void Scene::setOpening(double opening) {
-    const double size = m_surfaceBox.isEmpty() ? 1 : m_surfaceBox.sizes().norm();
+    const double size = m_surface.mesh() ? m_surface.mesh()->box.sizes().norm() : 1;
     m_half1.open(opening * openShare * size);
     m_half2.open(opening * openShare * size);
 }
@@ -240,17 +235,18 @@ void Scene::setOpening(double opening) {
 std::vector<Eigen::Vector3d> Scene::outline() const {
     std::vector<Eigen::Vector3d> points;
     if (m_surfaceVisible)
-        points = cornersOf(m_surfaceBox);
+        points = cornersOf(box());
     for (const HalfLayer* half : {&m_half1, &m_half2})
         std::ranges::copy(half->corners(), std::back_inserter(points));
-    if (m_state && m_directionsVisible && !m_surfaceBox.isEmpty())
+    if (m_state && m_directionsVisible && m_surface.mesh())
         for (const int side : {1, 2})
             points.push_back(arrowTip(side));
     return points;
 }
 
 void Scene::arrange(const Camera& camera, ViewSize view) {
-    vtkCamera* eye = m_renderer->GetActiveCamera();
+    drawSlice(std::nullopt);
+    vtkCamera* eye = m_back->GetActiveCamera();
     eye->SetParallelProjection(!camera.perspective);
     eye->SetViewAngle(camera.viewAngle);
     eye->SetParallelScale(camera.halfHeight());
@@ -259,9 +255,39 @@ void Scene::arrange(const Camera& camera, ViewSize view) {
     eye->SetPosition(Eigen::Vector3d(camera.position() + back * camera.backwards()).data());
     eye->SetFocalPoint(camera.focus.data());
     eye->SetViewUp(camera.up().data());
-    m_renderer->ResetCameraClippingRange();
+    // Both layers share depths: what is near and far is that of all.
+    vtkBoundingBox all;
+    for (vtkRenderer* layer : {m_back.Get(), m_front.Get()})
+        if (const double* bounds = layer->ComputeVisiblePropBounds(); vtkMath::AreBoundsInitialized(bounds))
+            all.AddBounds(bounds);
+    if (all.IsValid()) {
+        std::array<double, 6> bounds{};
+        all.GetBounds(bounds.data());
+        m_back->ResetCameraClippingRange(bounds.data());
+    }
     m_cube.arrange(camera, view);
     m_overlay.arrange(camera, view);
+}
+
+int Scene::sliceCount() const {
+    int blocks = m_surface.blockCount();
+    for (const HalfLayer* half : {&m_half1, &m_half2})
+        blocks += half->layer().blockCount();
+    return blocks + 1;
+}
+
+void Scene::drawSlice(std::optional<int> slice) {
+    const bool last = !slice || *slice == sliceCount() - 1;
+    m_front->SetDraw(last);
+    m_cube.renderer()->SetDraw(last);
+    m_back->SetErase(slice.value_or(0) == 0);
+    int block = slice.value_or(0);
+    for (MeshLayer* layer : surfaces()) {
+        const int count = layer->blockCount();
+        const bool own = block >= 0 && block < count;
+        layer->drawOnly(slice ? std::optional(own ? block : -1) : std::nullopt);
+        block -= count;
+    }
 }
 
 } // namespace moldwright::scene

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "castability/mold_state.h"
-#include "mesh/indexed_mesh.h"
 #include "scene/arrow_layer.h"
 #include "scene/camera.h"
 #include "scene/colours.h"
+#include "scene/drawn_mesh.h"
 #include "scene/grips.h"
 #include "scene/half_layer.h"
 #include "scene/mesh_layer.h"
@@ -17,6 +17,7 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,7 +28,8 @@ namespace moldwright::scene {
 
 /// Everything one view shows: the surface with its colours, the parting plane, both directions, the mold
 /// halves, legend, chips and cube. It draws into any VTK window; it knows neither Qt nor files nor threads.
-/// Lengths in mm in the part's frame, pixels are device pixels.
+/// Lengths in mm in the part's frame, pixels are device pixels. The surfaces lie in a layer of their own
+/// behind all else, so that a picture can be drawn in slices: surfaces block by block, then the rest.
 class Scene {
 public:
     Scene();
@@ -41,15 +43,18 @@ public:
     void setCubeWords(const CubeWords& words);
 
     /// The surface in view; null for none. `faceColours` may be empty: all in the part's colour.
-    void setSurface(const SharedMesh& mesh, std::span<const Rgb> faceColours);
-    void setFaceColours(std::span<const Rgb> faceColours);
-    /// A coarser mesh that stands in for the surface while something moves; null for none.
-    void setStandIn(const SharedMesh& coarse, std::span<const Rgb> faceColours);
-    [[nodiscard]] bool hasStandIn() const { return m_standIn.mesh() != nullptr; }
-    void useStandIn(bool use);
+    void setSurface(const SharedDrawnMesh& mesh, std::span<const Rgb> faceColours);
+    void setFaceColours(std::span<const Rgb> faceColours) { m_surface.setFaceColours(faceColours); }
+    void setStandInColours(std::span<const Rgb> faceColours) { m_surface.setStandInColours(faceColours); }
+    /// Without it edges are stepped, and a picture takes less than half the time.
+    void setSmoothEdges(bool smooth);
+    /// Draws the coarse stand-ins of large surfaces instead of these.
+    void useStandIns(bool use);
+    [[nodiscard]] bool standInsUsed() const { return m_standInsUsed; }
     void setSurfaceVisible(bool visible);
     void setEdges(bool shown) { m_surface.setEdges(shown); }
     void setSeeThrough(bool seeThrough);
+    [[nodiscard]] bool seeThrough() const { return m_seeThrough; }
 
     /// Plane and directions; none hides them.
     void setState(const std::optional<MoldState>& state);
@@ -60,8 +65,8 @@ public:
     [[nodiscard]] std::vector<GripPlace> grips() const;
 
     /// The mold's halves in the mold's frame; null meshes for none.
-    void setHalves(const SharedMesh& half1, const SharedMesh& half2, const Eigen::Isometry3d& moldToPart,
-                   const Directions& directions);
+    void setHalves(const SharedDrawnMesh& half1, const SharedDrawnMesh& half2,
+                   const Eigen::Isometry3d& moldToPart, const Directions& directions);
     /// 0 closed … 1 open wide.
     void setOpening(double opening);
 
@@ -72,40 +77,49 @@ public:
     /// Places camera, lights and all that is drawn flat. Call before rendering.
     void arrange(const Camera& camera, ViewSize view);
 
+    /// In how many slices the picture can be drawn: one for each block of its surfaces, and one for the rest.
+    [[nodiscard]] int sliceCount() const;
+    /// Draws only this slice, over those before it; nothing: all at once. Call after arrange().
+    void drawSlice(std::optional<int> slice);
+
     /// Points that bound what is visible, arrows included, mm.
     [[nodiscard]] std::vector<Eigen::Vector3d> outline() const;
-    [[nodiscard]] const SharedMesh& surface() const { return m_surface.mesh(); }
+    [[nodiscard]] const SharedDrawnMesh& surface() const { return m_surface.mesh(); }
     [[nodiscard]] const std::optional<MoldState>& state() const { return m_state; }
     [[nodiscard]] const SceneColours& colours() const { return m_colours; }
-    [[nodiscard]] PlaneRectangle rectangle() const;
+    [[nodiscard]] const PlaneRectangle& rectangle() const { return m_rectangle; }
     [[nodiscard]] const OrientationCube& cube() const { return m_cube; }
 
     /// The middle of the part, which arrows start from and turn about, mm.
-    [[nodiscard]] Eigen::Vector3d middle() const { return m_surfaceBox.center(); }
+    [[nodiscard]] Eigen::Vector3d middle() const { return box().center(); }
 
     /// Where the arrow of direction 1 or 2 ends, mm: the place for its chip.
-    [[nodiscard]] Eigen::Vector3d arrowTip(int side) const;
+    [[nodiscard]] Eigen::Vector3d arrowTip(int side) const { return m_arrowTips[side - 1]; }
 
 private:
+    [[nodiscard]] Eigen::AlignedBox3d box() const;
+    [[nodiscard]] std::array<MeshLayer*, 3> surfaces();
     void placePlane();
+    void placePartingLine();
     void placeArrows();
     void updateVisibility();
     void showGrips();
-    [[nodiscard]] Eigen::Vector3d arrowTail(int side) const;
 
-    vtkNew<vtkRenderer> m_renderer;
+    vtkNew<vtkRenderer> m_back;  ///< background and surfaces
+    vtkNew<vtkRenderer> m_front; ///< all else, hidden where surfaces are nearer
     SceneColours m_colours = lightColours();
     double m_scale = 1;
     CubeWords m_words = {"Front", "Back", "Left", "Right", "Top", "Bottom"};
     MeshLayer m_surface;
-    MeshLayer m_standIn;
-    bool m_standInUsed = false;
-    Eigen::AlignedBox3d m_surfaceBox;
-    PlaneLayer m_plane;
-    ArrowLayer m_arrow1;
-    ArrowLayer m_arrow2;
     HalfLayer m_half1;
     HalfLayer m_half2;
+    bool m_standInsUsed = false;
+    bool m_seeThrough = false;
+    PlaneLayer m_plane;
+    PlaneRectangle m_rectangle;
+    ArrowLayer m_arrow1;
+    ArrowLayer m_arrow2;
+    std::array<Eigen::Vector3d, 2> m_arrowTips{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     OrientationCube m_cube;
     Overlay m_overlay;
     std::optional<MoldState> m_state;

@@ -21,7 +21,8 @@ constexpr double turnPerPixel = 0.0085; ///< radians
 constexpr double zoomPerPixel = 1.006;
 constexpr double zoomPerNotch = 1.15;
 constexpr int settleMilliseconds = 250;
-constexpr std::chrono::milliseconds smooth(60); ///< a picture that takes longer makes movements jerk
+constexpr std::chrono::milliseconds smooth(60);  ///< a picture that takes longer makes movements jerk
+constexpr std::chrono::milliseconds flowing(25); ///< one that takes less can be as fine as it likes
 const Eigen::Vector3d homeDirection(0.75, -1, 0.6);
 
 scene::Held heldNow(Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
@@ -48,7 +49,7 @@ PartView::PartView(QWidget* parent) : RenderView(parent), m_navigation(&scene::n
     connect(&m_ease, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
         moving();
         m_camera = scene::between(m_easeFrom, m_easeTo, t.toDouble());
-        update();
+        redraw();
     });
 }
 
@@ -62,20 +63,35 @@ Eigen::Vector2d PartView::pixel(const QPointF& place) const {
     return Eigen::Vector2d(place.x(), place.y()) * devicePixelRatioF();
 }
 
-void PartView::aboutToRender(int width, int height) {
+void PartView::prepare(int width, int height, bool quick) {
+    // Seen-through blocks would show where they meet: such a surface is drawn as a whole or not at all.
+    m_scene.useStandIns(m_coarse || (tooSlow() && (m_isMoving || quick || m_scene.seeThrough())));
+    m_scene.setSmoothEdges(!(m_isMoving || m_live || quick) || m_restPicture < flowing);
     m_scene.arrange(m_camera, {static_cast<double>(width), static_cast<double>(height)});
 }
 
-void PartView::paintGL() {
-    RenderView::paintGL();
-    if (!m_isMoving || !m_scene.hasStandIn())
-        m_tooSlow = lastPicture() > smooth;
+bool PartView::drawsInSlices() const {
+    return tooSlow() && !m_isMoving && !m_coarse && !m_scene.seeThrough();
+}
+
+void PartView::pictureDone() {
+    if (m_scene.standInsUsed() || m_isMoving || m_live)
+        return;
+    m_restPicture = lastPicture();
+    m_timed = m_scene.surface();
+}
+
+bool PartView::tooSlow() const {
+    const scene::SharedDrawnMesh& surface = m_scene.surface();
+    if (!surface || !surface->standIn || surface->sketched())
+        return false;
+    // What was never drawn may be: nobody knows the graphics card.
+    return m_timed.lock() != surface || m_restPicture > smooth;
 }
 
 void PartView::moving() {
     m_isMoving = true;
     m_settle.start();
-    m_scene.useStandIn(m_tooSlow);
 }
 
 void PartView::settled() {
@@ -84,15 +100,14 @@ void PartView::settled() {
         return;
     }
     m_isMoving = false;
-    m_scene.useStandIn(false);
-    update();
+    redraw();
 }
 
 void PartView::setCamera(const scene::Camera& camera) {
     m_ease.stop();
     moving();
     m_camera = camera;
-    update();
+    redraw();
 }
 
 void PartView::easeTo(const scene::Camera& target) {
@@ -138,7 +153,7 @@ void PartView::lookFromOpposite() {
 void PartView::setEditable(bool editable) {
     m_editable = editable;
     m_scene.setGrips(editable, m_hovered);
-    update();
+    redraw();
 }
 
 void PartView::setPickingFaces(bool picking) {
@@ -241,14 +256,14 @@ void PartView::hover(const Eigen::Vector2d& at) {
     m_hovered = grip;
     m_scene.setGrips(m_editable, grip);
     updatePointer();
-    update();
+    redraw();
 }
 
 void PartView::leaveEvent(QEvent* event) {
     if (m_hovered && !m_drag) {
         m_hovered.reset();
         m_scene.setGrips(m_editable, m_hovered);
-        update();
+        redraw();
     }
     RenderView::leaveEvent(event);
 }

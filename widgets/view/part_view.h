@@ -31,6 +31,11 @@ public:
     void setNavigation(const scene::NavigationScheme& scheme) { m_navigation = &scheme; }
     void setPicker(std::shared_ptr<const scene::SurfacePicker> picker) { m_picker = std::move(picker); }
 
+    /// While on, large surfaces are shown by their stand-ins: what they are to look like is not known yet.
+    void setCoarse(bool coarse) { m_coarse = coarse; }
+    /// While on, pictures follow one another quickly.
+    void setLive(bool live) { m_live = live; }
+
     /// Whether grips of plane and directions are shown and can be dragged.
     void setEditable(bool editable);
     /// How far a direction may be dragged from the plane's normal.
@@ -66,8 +71,11 @@ Q_SIGNALS:
     void menuRequested(const QPoint& globalPlace);
 
 protected:
-    void paintGL() override;
-    void aboutToRender(int width, int height) override;
+    void prepare(int width, int height, bool quick) override;
+    [[nodiscard]] bool drawsInSlices() const override;
+    [[nodiscard]] int sliceCount() const override { return m_scene.sliceCount(); }
+    void prepareSlice(int slice) override { m_scene.drawSlice(slice); }
+    void pictureDone() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -87,6 +95,7 @@ private:
     void easeTo(const scene::Camera& target);
     void moving();
     void settled();
+    [[nodiscard]] bool tooSlow() const;
     void setCamera(const scene::Camera& camera);
     void updatePointer();
 
@@ -97,7 +106,10 @@ private:
     QVariantAnimation m_ease;
     QTimer m_settle; ///< runs out some time after the last movement
     bool m_isMoving = false;
-    bool m_tooSlow = false; ///< the whole surface takes too long to draw while something moves
+    bool m_coarse = false;
+    bool m_live = false;
+    std::weak_ptr<const scene::DrawnMesh> m_timed; ///< the surface whose picture took m_restPicture
+    std::chrono::milliseconds m_restPicture{0};    ///< as fine as can be
     scene::Camera m_easeFrom;
     scene::Camera m_easeTo;
     bool m_editable = false;

@@ -48,6 +48,10 @@ RenderView::RenderView(QWidget* parent) : QOpenGLWidget(parent) {
     observe(m_window, vtkCommand::WindowMakeCurrentEvent, [this] { makeCurrentForVtk(); });
     observe(m_window, vtkCommand::WindowIsCurrentEvent,
             [this] { m_window->SetIsCurrent(context() && QOpenGLContext::currentContext() == context()); });
+    // At no time but between other events, so that none waits for more than a slice.
+    m_sliceTimer.setSingleShot(true);
+    m_sliceTimer.setInterval(0);
+    connect(&m_sliceTimer, &QTimer::timeout, this, &RenderView::drawNextSlice);
 }
 
 RenderView::~RenderView() {
@@ -73,6 +77,8 @@ void RenderView::initializeGL() {
     m_window->SetReadyForRendering(true);
     m_window->InitializeFromCurrentContext();
     m_window->SetUseOffScreenBuffers(false);
+    m_stale = true;
+    m_havePicture = false;
 }
 
 void RenderView::releaseContext() {
@@ -84,24 +90,95 @@ void RenderView::releaseContext() {
     doneCurrent();
 }
 
+void RenderView::redraw() {
+    m_stale = true;
+    m_slice = 0;
+    m_sliceTimer.stop();
+    if (drawsInSlices() && m_havePicture && isVisible())
+        m_sliceTimer.start();
+    else
+        update();
+}
+
+void RenderView::fitWindow() {
+    const int wide = static_cast<int>(std::lround(width() * devicePixelRatioF()));
+    const int high = static_cast<int>(std::lround(height() * devicePixelRatioF()));
+    const int* size = m_window->GetSize();
+    if (size[0] == wide && size[1] == high)
+        return;
+    m_window->SetSize(wide, high);
+    m_stale = true;
+    m_havePicture = false;
+}
+
 void RenderView::paintGL() {
     if (!m_window->GetReadyForRendering())
         return;
-    const auto start = std::chrono::steady_clock::now();
-    const int pixelsWide = static_cast<int>(std::lround(width() * devicePixelRatioF()));
-    const int pixelsHigh = static_cast<int>(std::lround(height() * devicePixelRatioF()));
-    m_window->SetSize(pixelsWide, pixelsHigh);
-    aboutToRender(pixelsWide, pixelsHigh);
-
+    fitWindow();
     vtkOpenGLState* state = m_window->GetState();
     state->Reset();
     state->Push();
-    state->vtkglDepthFunc(GL_LEQUAL);
+    if (m_stale && !(drawsInSlices() && m_havePicture))
+        drawAtOnce();
+    copyToWidget();
+    state->Pop();
+}
+
+void RenderView::drawAtOnce() {
+    const bool quick = drawsInSlices();
+    m_spent = {};
+    prepare(m_window->GetSize()[0], m_window->GetSize()[1], quick);
+    renderWindow();
+    m_havePicture = true;
+    if (quick) {
+        m_slice = 0;
+        m_sliceTimer.start();
+        return;
+    }
+    m_stale = false;
+    m_lastPicture = std::chrono::duration_cast<std::chrono::milliseconds>(m_spent);
+    pictureDone();
+}
+
+void RenderView::drawNextSlice() {
+    if (!m_window->GetReadyForRendering() || !m_stale)
+        return;
+    makeCurrent();
+    vtkOpenGLState* state = m_window->GetState();
+    state->Reset();
+    state->Push();
+    if (m_slice == 0) {
+        m_spent = {};
+        prepare(m_window->GetSize()[0], m_window->GetSize()[1], false);
+    }
+    prepareSlice(m_slice++);
+    renderWindow();
+    state->Pop();
+    doneCurrent();
+    if (m_slice < sliceCount()) {
+        m_sliceTimer.start();
+        return;
+    }
+    m_stale = false;
+    m_lastPicture = std::chrono::duration_cast<std::chrono::milliseconds>(m_spent);
+    pictureDone();
+    update();
+}
+
+void RenderView::renderWindow() {
+    const auto start = std::chrono::steady_clock::now();
+    m_window->GetState()->vtkglDepthFunc(GL_LEQUAL);
     m_window->Render();
+    context()->functions()->glFinish(); // what is drawn later would be counted elsewhere, and waited for
+    m_spent += std::chrono::steady_clock::now() - start;
+}
+
+void RenderView::copyToWidget() {
+    const int* size = m_window->GetSize();
     QOpenGLFunctions* gl = context()->functions();
     gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    m_window->BlitDisplayFramebuffer(0, 0, 0, pixelsWide, pixelsHigh, 0, 0, pixelsWide, pixelsHigh,
-                                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    m_window->BlitDisplayFramebuffer(0, 0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT,
+                                     GL_NEAREST);
     // See-through pixels would let the desktop shine through the window.
     gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
     gl->glDisable(GL_SCISSOR_TEST);
@@ -109,9 +186,6 @@ void RenderView::paintGL() {
     gl->glClearColor(0, 0, 0, 1);
     gl->glClear(GL_COLOR_BUFFER_BIT);
     gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    state->Pop();
-    m_lastPicture =
-        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
 }
 
 } // namespace moldwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QOpenGLWidget>
+#include <QTimer>
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -13,7 +14,9 @@ class vtkGenericOpenGLRenderWindow;
 namespace moldwright {
 
 /// A VTK window inside a Qt widget. VTK draws into its own buffers within the widget's OpenGL context, and
-/// the picture is copied into the widget. Ask for a new picture with update(); many askings are one picture.
+/// the finished picture is copied into the widget. Ask for a new picture with redraw(); many askings are one
+/// picture. A picture that takes long is drawn in slices between other events, the one before it staying in
+/// view until it is complete.
 class RenderView : public QOpenGLWidget {
     Q_OBJECT
 public:
@@ -22,12 +25,26 @@ public:
 
     [[nodiscard]] vtkGenericOpenGLRenderWindow* window() const { return m_window; }
 
-    /// How long the last picture took to draw.
+    void redraw();
+
+    /// How long the last complete picture took to draw.
     [[nodiscard]] std::chrono::milliseconds lastPicture() const { return m_lastPicture; }
+    /// Whether a picture asked for is not complete yet.
+    [[nodiscard]] bool drawing() const { return m_stale; }
 
 protected:
-    /// Called before each picture, with its size in device pixels.
-    virtual void aboutToRender(int width, int height) = 0;
+    /// Called before each picture with its size in device pixels. `quick`: a picture must be there at once,
+    /// coarse as it may be; another one follows.
+    virtual void prepare(int width, int height, bool quick) = 0;
+
+    /// Whether the next picture takes so long that it is to be drawn in slices.
+    [[nodiscard]] virtual bool drawsInSlices() const = 0;
+    [[nodiscard]] virtual int sliceCount() const = 0;
+    /// Called before each slice.
+    virtual void prepareSlice(int slice) = 0;
+
+    /// A picture is complete; lastPicture() tells of it.
+    virtual void pictureDone() {}
 
     void initializeGL() override;
     void paintGL() override;
@@ -35,8 +52,18 @@ protected:
 private:
     void releaseContext();
     void makeCurrentForVtk();
+    void fitWindow();
+    void drawAtOnce();
+    void drawNextSlice();
+    void renderWindow();
+    void copyToWidget();
 
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
+    QTimer m_sliceTimer;
+    int m_slice = 0;            ///< the next one to be drawn
+    bool m_stale = true;        ///< another picture was asked for
+    bool m_havePicture = false; ///< one of the right size, complete or coarse
+    std::chrono::steady_clock::duration m_spent{};
     std::chrono::milliseconds m_lastPicture{0};
 };
 
