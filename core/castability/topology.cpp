@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "castability/topology.h"
 
+#include "mesh/opposite_sides.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
+#include <utility>
 
 namespace moldwright {
 
 namespace {
-
-using DirectedEdges = std::map<std::pair<int, int>, int>; ///< a→b to the face that has it
 
 /// Chains the directed boundary edges of a piece into loops. At a vertex with several ways out the lowest is
 /// taken: loops may then touch, which the curve check of the certificate judges.
@@ -38,19 +38,6 @@ std::vector<PartingLoop> chainLoops(const IndexedMesh& mesh, const std::vector<s
     return loops;
 }
 
-int genusOf(const IndexedMesh& mesh, const std::vector<int>& faces, std::size_t loops) {
-    std::set<int> vertices;
-    std::set<std::pair<int, int>> edges;
-    for (const int f : faces)
-        for (int k = 0; k < 3; ++k) {
-            vertices.insert(mesh.F(f, k));
-            edges.insert(std::minmax(mesh.F(f, k), mesh.F(f, (k + 1) % 3)));
-        }
-    const int euler =
-        static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + static_cast<int>(faces.size());
-    return (2 - static_cast<int>(loops) - euler) / 2;
-}
-
 bool inside(const IndexedMesh& mesh, const PartingLoop& loop, const Eigen::Vector3d& p) {
     bool in = false;
     for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
@@ -66,11 +53,9 @@ bool inside(const IndexedMesh& mesh, const PartingLoop& loop, const Eigen::Vecto
 } // namespace
 
 std::vector<SidePiece> sidePieces(const IndexedMesh& mesh, const SideLabels& labels) {
-    DirectedEdges faceAt;
-    for (int f = 0; f < mesh.faceCount(); ++f)
-        for (int k = 0; k < 3; ++k)
-            faceAt[{mesh.F(f, k), mesh.F(f, (k + 1) % 3)}] = f;
+    const OppositeSides opposite = oppositeSides(mesh.F, mesh.vertexCount());
     std::vector<char> seen(labels.size(), 0);
+    std::vector<int> countedFor(static_cast<std::size_t>(mesh.vertexCount()), -1);
     std::vector<SidePiece> pieces;
     for (int seed = 0; seed < mesh.faceCount(); ++seed) {
         if (seen[static_cast<std::size_t>(seed)])
@@ -80,24 +65,25 @@ std::vector<SidePiece> sidePieces(const IndexedMesh& mesh, const SideLabels& lab
         piece.faces = {seed};
         seen[static_cast<std::size_t>(seed)] = 1;
         std::vector<std::array<int, 2>> boundary;
+        int points = 0;
         for (std::size_t i = 0; i < piece.faces.size(); ++i) {
             const int f = piece.faces[i];
             for (int k = 0; k < 3; ++k) {
-                const int a = mesh.F(f, k);
-                const int b = mesh.F(f, (k + 1) % 3);
-                const auto across = faceAt.find({b, a});
-                if (across == faceAt.end() ||
-                    labels[static_cast<std::size_t>(across->second)] != piece.side) {
-                    boundary.push_back({a, b});
-                } else if (!seen[static_cast<std::size_t>(across->second)]) {
-                    seen[static_cast<std::size_t>(across->second)] = 1;
-                    piece.faces.push_back(across->second);
-                }
+                int& counted = countedFor[static_cast<std::size_t>(mesh.F(f, k))];
+                points += std::exchange(counted, seed) == seed ? 0 : 1;
+                const int across = opposite.of[static_cast<std::size_t>(3 * f + k)] / 3;
+                if (opposite.of[static_cast<std::size_t>(3 * f + k)] < 0 ||
+                    labels[static_cast<std::size_t>(across)] != piece.side)
+                    boundary.push_back({mesh.F(f, k), mesh.F(f, (k + 1) % 3)});
+                else if (!std::exchange(seen[static_cast<std::size_t>(across)], 1))
+                    piece.faces.push_back(across);
             }
         }
         std::sort(boundary.begin(), boundary.end());
         piece.loops = chainLoops(mesh, boundary, piece.side);
-        piece.genus = genusOf(mesh, piece.faces, piece.loops.size());
+        const auto faces = static_cast<int>(piece.faces.size());
+        const int euler = points - (3 * faces + static_cast<int>(boundary.size())) / 2 + faces;
+        piece.genus = (2 - static_cast<int>(piece.loops.size()) - euler) / 2;
         pieces.push_back(std::move(piece));
     }
     return pieces;

@@ -2,9 +2,11 @@
 #include "fill/fill_plan.h"
 
 #include "castability/topology.h"
+#include "fill/necks.h"
 #include "fill/projected_half.h"
 #include "mesh/check.h"
 #include "mesh/measures.h"
+#include "mesh/opposite_sides.h"
 #include "mesh/union_find.h"
 
 #include <Eigen/Geometry>
@@ -14,12 +16,15 @@
 #include <numeric>
 #include <set>
 #include <span>
+#include <utility>
 
 namespace moldwright {
 
 namespace {
 
-constexpr double kNothing = 1e-12; ///< of the part's volume: patches that fill less only turn edges
+constexpr int kDragRounds = 8;     ///< in which regions are added that others drag along
+constexpr double kNothing = 1e-12; ///< of the part's volume: regions that fill less only turn edges
+constexpr double kLongest = 0.2;   ///< of the size: how long a region may be that is needed
 
 PartedMesh onGrid(const PartedMesh& part, const ShadowGrid& grid) {
     PartedMesh placed = part;
@@ -33,196 +38,229 @@ PartedMesh onGrid(const PartedMesh& part, const ShadowGrid& grid) {
     return placed;
 }
 
-/// A patch's faces in the part (0) and in the filled part (1), and what they enclose.
-struct Patch {
-    std::array<std::vector<int>, 2> faces;
-    double volume = 0;
-};
-
-double volumeOf(const MeshDifference& difference, std::size_t which, int f, const Eigen::Vector3d& origin) {
-    const auto corner = [&](int k) -> Eigen::Vector3d {
-        return difference.points.row(difference.faces[which](f, k)).transpose() - origin;
-    };
-    return corner(0).dot(corner(1).cross(corner(2))) / 6;
-}
-
-std::vector<Patch> patchesOf(const MeshDifference& difference) {
-    std::vector<Patch> patches(static_cast<std::size_t>(difference.patches));
-    for (std::size_t m = 0; m < 2; ++m)
-        for (std::size_t f = 0; f < difference.patchOf[m].size(); ++f)
-            if (const int patch = difference.patchOf[m][f]; patch >= 0)
-                patches[static_cast<std::size_t>(patch)].faces[m].push_back(static_cast<int>(f));
-    for (Patch& patch : patches) {
-        const std::size_t any = patch.faces[0].empty() ? 1 : 0;
-        if (patch.faces[any].empty())
-            continue;
-        const Eigen::Vector3d origin =
-            difference.points.row(difference.faces[any](patch.faces[any].front(), 0)).transpose();
-        for (const std::size_t m : {std::size_t{0}, std::size_t{1}})
-            for (const int f : patch.faces[m])
-                patch.volume += (m == 0 ? -1 : 1) * volumeOf(difference, m, f, origin);
-    }
-    return patches;
-}
-
-/// The patch of the part's face that a line along d from x meets first; −1 where it meets none.
-int firstPatchAlong(const MeshDifference& difference, const Eigen::Vector3d& x, const Eigen::Vector3d& d) {
+/// The region whose space a line along d from x enters first through the part; −1 where it meets none.
+int regionAlong(const ChoiceMesh& choices, const Eigen::Vector3d& x, const Eigen::Vector3d& d) {
     double nearest = std::numeric_limits<double>::infinity();
-    int patch = -1;
-    for (Eigen::Index f = 0; f < difference.faces[0].rows(); ++f) {
-        const Eigen::Vector3d a = difference.points.row(difference.faces[0](f, 0)).transpose() - x;
-        const Eigen::Vector3d b = difference.points.row(difference.faces[0](f, 1)).transpose() - x;
-        const Eigen::Vector3d c = difference.points.row(difference.faces[0](f, 2)).transpose() - x;
+    int region = -1;
+    for (const ChoiceFace& face : choices.faces) {
+        if (face.made >= 0)
+            continue;
+        const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
+            return choices.points[static_cast<std::size_t>(face.corners[k])] - x;
+        };
+        const Eigen::Vector3d a = corner(0);
+        const Eigen::Vector3d b = corner(1);
+        const Eigen::Vector3d c = corner(2);
         const Eigen::Vector3d share(d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b)));
         if ((share.minCoeff() < 0 && share.maxCoeff() > 0) || share.sum() == 0)
             continue;
         const double t = (share[0] * a + share[1] * b + share[2] * c).dot(d) / share.sum();
         if (t > 0 && t < nearest) {
             nearest = t;
-            patch = difference.patchOf[0][static_cast<std::size_t>(f)];
+            region = face.covered;
         }
     }
-    return patch;
-}
-
-/// A solid that floats inside a region vanishes with it: its patch joins that of what lies above it.
-void joinIslands(MeshDifference& difference, const Directions& directions) {
-    const std::vector<Patch> patches = patchesOf(difference);
-    UnionFind groups(difference.patches);
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-        if (!patches[p].faces[1].empty() || patches[p].volume > 0)
-            continue;
-        Eigen::Vector3d top = Eigen::Vector3d::Zero();
-        for (const int f : patches[p].faces[0])
-            for (int k = 0; k < 3; ++k)
-                if (const Eigen::Vector3d x = difference.points.row(difference.faces[0](f, k)).transpose();
-                    std::abs(x.z()) > std::abs(top.z()))
-                    top = x;
-        const int above = firstPatchAlong(difference, top, directions.of(top.z() >= 0 ? 1 : 2));
-        if (above >= 0)
-            groups.unite(static_cast<int>(p), above);
-    }
-    for (auto& patchOf : difference.patchOf)
-        for (int& patch : patchOf)
-            if (patch >= 0)
-                patch = groups.rootOf(patch);
-}
-
-/// Drops patches that fill nothing and numbers the rest by falling volume.
-void numberByVolume(MeshDifference& difference, double nothing) {
-    const std::vector<Patch> patches = patchesOf(difference);
-    std::vector<int> order;
-    for (std::size_t p = 0; p < patches.size(); ++p)
-        if (patches[p].volume > nothing)
-            order.push_back(static_cast<int>(p));
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return patches[static_cast<std::size_t>(a)].volume > patches[static_cast<std::size_t>(b)].volume;
-    });
-    // What differs but fills nothing stays as the part has it: the last number, which no choice names.
-    std::vector<int> number(patches.size(), static_cast<int>(order.size()));
-    for (std::size_t i = 0; i < order.size(); ++i)
-        number[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    for (auto& patchOf : difference.patchOf)
-        for (int& patch : patchOf)
-            if (patch >= 0)
-                patch = number[static_cast<std::size_t>(patch)];
-    difference.patches = static_cast<int>(order.size()) + 1;
-}
-
-FillRegion describe(const FillPlan& plan, const Patch& patch) {
-    FillRegion region;
-    region.volume = patch.volume;
-    Eigen::AlignedBox3d box;
-    std::set<int> sides;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double area = 0;
-    const auto middle = [&](int f) -> Eigen::Vector3d {
-        return (plan.part.mesh.corner(f, 0) + plan.part.mesh.corner(f, 1) + plan.part.mesh.corner(f, 2)) / 3;
-    };
-    for (const int f : patch.faces[0]) {
-        sides.insert(plan.part.labels[static_cast<std::size_t>(f)]);
-        const double weight = doubleAreaVector(plan.part.mesh, f).norm();
-        sum += weight * middle(f);
-        area += weight;
-        for (int k = 0; k < 3; ++k)
-            box.extend(plan.part.mesh.corner(f, k));
-    }
-    region.side = sides.size() == 1 ? *sides.begin() : 0;
-    region.size = box.isEmpty() ? 0 : box.diagonal().norm();
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const int f : patch.faces[0])
-        if (const double distance = (middle(f) - sum / area).norm(); distance < nearest) {
-            nearest = distance;
-            region.place = middle(f);
-        }
     return region;
 }
 
-/// The part with the regions filled that are marked.
-FilledPart assembled(const FillPlan& plan, const std::vector<char>& marked) {
-    const MeshDifference& difference = plan.difference;
-    FilledPart result;
-    result.surface.mesh.V = difference.points;
-    std::vector<Eigen::RowVector3i> faces;
-    const std::array<const PartedMesh*, 2> meshes = {&plan.part, &plan.filled.surface};
-    for (std::size_t m = 0; m < 2; ++m)
-        for (std::size_t f = 0; f < difference.patchOf[m].size(); ++f) {
-            const int patch = difference.patchOf[m][f];
-            const bool filled = patch >= 0 && marked[static_cast<std::size_t>(patch)] != 0;
-            if (patch < 0 ? m == 1 : filled != (m == 1))
+/// A solid that floats inside a region vanishes with it: its faces join that of what lies above it.
+void joinIslands(ChoiceMesh& choices, const Directions& directions) {
+    const std::vector<double> volumes = volumesOf(choices);
+    std::vector<int> top(volumes.size(), -1);
+    std::vector<char> island(volumes.size(), 1);
+    for (const ChoiceFace& face : choices.faces)
+        for (const int v : face.corners) {
+            if (face.made >= 0)
+                island[static_cast<std::size_t>(face.made)] = 0;
+            if (face.covered < 0)
                 continue;
-            faces.emplace_back(difference.faces[m].row(static_cast<Eigen::Index>(f)));
-            result.surface.labels.push_back(meshes[m]->labels[f]);
-            result.surface.sourceFace.push_back(m == 0 ? static_cast<int>(f) : meshes[m]->sourceFace[f]);
+            int& highest = top[static_cast<std::size_t>(face.covered)];
+            if (highest < 0 || std::abs(choices.points[static_cast<std::size_t>(v)].z()) >
+                                   std::abs(choices.points[static_cast<std::size_t>(highest)].z()))
+                highest = v;
         }
-    result.surface.mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-        result.surface.mesh.F.row(static_cast<Eigen::Index>(f)) = faces[f];
-    return result;
+    UnionFind groups(choices.regions);
+    for (std::size_t r = 0; r < volumes.size(); ++r) {
+        if (!island[r] || volumes[r] > 0 || top[r] < 0)
+            continue;
+        const Eigen::Vector3d x = choices.points[static_cast<std::size_t>(top[r])];
+        if (const int above = regionAlong(choices, x, directions.of(x.z() >= 0 ? 1 : 2)); above >= 0)
+            groups.unite(static_cast<int>(r), above);
+    }
+    std::vector<int> number;
+    for (int r = 0; r < choices.regions; ++r)
+        number.push_back(groups.rootOf(r));
+    renumber(choices, number);
+}
+
+/// Leaves what fills nothing as the part has it; numbers the rest by falling volume. Returns the new numbers.
+std::vector<int> numberByVolume(ChoiceMesh& choices, double nothing) {
+    const std::vector<double> volumes = volumesOf(choices);
+    std::vector<int> order;
+    for (std::size_t r = 0; r < volumes.size(); ++r)
+        if (volumes[r] > nothing)
+            order.push_back(static_cast<int>(r));
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return volumes[static_cast<std::size_t>(a)] > volumes[static_cast<std::size_t>(b)];
+    });
+    std::vector<int> number(volumes.size(), -1);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        number[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    renumber(choices, number);
+    return number;
+}
+
+bool castable(const ChoiceMesh& choices, const std::vector<char>& filled) {
+    std::vector<int> choiceOf;
+    const PartedMesh surface = surfaceWith(choices, filled, choiceOf);
+    return topologyAllowsCasting(surface.mesh, surface.labels) &&
+           closedManifold(surface.mesh.F, surface.mesh.vertexCount());
 }
 
 /// Leaves out as many regions as it can: all of them at once, else the first half, then the second.
-void leaveOut(const FillPlan& plan, std::span<const int> regions, std::vector<char>& marked,
+void leaveOut(const ChoiceMesh& choices, std::span<const int> regions, std::vector<char>& filled,
               const Task& task) {
     if (regions.empty() || task.stopped())
         return;
     for (const int region : regions)
-        marked[static_cast<std::size_t>(region)] = 0;
-    const FilledPart without = assembled(plan, marked);
-    if (topologyAllowsCasting(without.surface.mesh, without.surface.labels))
+        filled[static_cast<std::size_t>(region)] = 0;
+    if (castable(choices, filled))
         return;
     for (const int region : regions)
-        marked[static_cast<std::size_t>(region)] = 1;
+        filled[static_cast<std::size_t>(region)] = 1;
     if (regions.size() == 1)
         return;
-    leaveOut(plan, regions.first(regions.size() / 2), marked, task);
-    leaveOut(plan, regions.subspan(regions.size() / 2), marked, task);
+    leaveOut(choices, regions.first(regions.size() / 2), filled, task);
+    leaveOut(choices, regions.subspan(regions.size() / 2), filled, task);
 }
 
-void markNeeded(FillPlan& plan, const Task& task) {
-    std::vector<char> marked(static_cast<std::size_t>(plan.difference.patches), 1);
-    marked.back() = 0;
-    std::vector<int> all(plan.regions.size());
-    std::iota(all.begin(), all.end(), 0);
-    leaveOut(plan, all, marked, task);
-    for (std::size_t r = 0; r < plan.regions.size(); ++r)
-        plan.regions[r].needed = marked[r] != 0;
+/// Of the regions filled, the largest are left out first.
+void leaveOutWhatCanBe(const ChoiceMesh& choices, std::vector<char>& filled, const Task& task) {
+    std::vector<int> regions;
+    for (std::size_t r = 0; r < filled.size(); ++r)
+        if (filled[r])
+            regions.push_back(static_cast<int>(r));
+    leaveOut(choices, regions, filled, task);
+    // What one left out made superfluous: once more, one by one.
+    for (const int region : regions)
+        if (filled[static_cast<std::size_t>(region)])
+            leaveOut(choices, std::span(&region, 1), filled, task);
+}
+
+/// Where a surface that was to stay is crossed by one that filling makes, by the hair that tidying takes, its
+/// region is filled as well. Returns whether nothing crosses in the end.
+bool dragAlong(const ChoiceMesh& choices, std::vector<char>& filled) {
+    for (int round = 0; round < kDragRounds; ++round) {
+        std::vector<int> choiceOf;
+        const auto crossings = selfIntersections(surfaceWith(choices, filled, choiceOf).mesh);
+        if (crossings.empty())
+            return true;
+        for (const auto& [f, g] : crossings)
+            for (const int face : {f, g}) {
+                const int choice = choiceOf[static_cast<std::size_t>(face)];
+                if (const int region = choices.faces[static_cast<std::size_t>(choice)].covered; region >= 0)
+                    filled[static_cast<std::size_t>(region)] = 1;
+            }
+    }
+    return false;
+}
+
+/// Regions that hang together become one where they are alike: all needed, or none.
+void joinAlike(ChoiceMesh& choices, std::vector<char>& needed) {
+    UnionFind groups(choices.regions);
+    for (const ChoiceFace& face : choices.faces)
+        if (face.made >= 0 && face.covered >= 0 &&
+            needed[static_cast<std::size_t>(face.made)] == needed[static_cast<std::size_t>(face.covered)])
+            groups.unite(face.made, face.covered);
+    std::vector<int> number;
+    for (int r = 0; r < choices.regions; ++r)
+        number.push_back(groups.rootOf(r));
+    renumber(choices, number);
+    std::erase_if(choices.faces,
+                  [](const ChoiceFace& face) { return face.made >= 0 && face.made == face.covered; });
+}
+
+/// Numbers regions by volume and keeps what is known of them.
+void numberByVolume(ChoiceMesh& choices, std::vector<char>& needed, double nothing) {
+    const std::vector<int> number = numberByVolume(choices, nothing);
+    std::vector<char> known(static_cast<std::size_t>(choices.regions), 0);
+    for (std::size_t r = 0; r < number.size(); ++r)
+        if (number[r] >= 0)
+            known[static_cast<std::size_t>(number[r])] = needed[r];
+    needed = std::move(known);
+}
+
+/// Which regions the certificate asks for: first as they hang together, then those divided at their necks.
+std::vector<char> findNeeded(ChoiceMesh& choices, const Directions& directions, double size, double nothing,
+                             const Task& task) {
+    std::vector<char> whole(static_cast<std::size_t>(choices.regions), 1);
+    leaveOutWhatCanBe(choices, whole, task);
+    const int undivided = choices.regions;
+    for (int r = 0; r < undivided && !task.stopped(); ++r)
+        if (whole[static_cast<std::size_t>(r)])
+            divideAtNecks(choices, r, directions, kLongest * size);
+    whole.resize(static_cast<std::size_t>(choices.regions), 1);
+    numberByVolume(choices, whole, nothing);
+    std::vector<char> needed = whole;
+    leaveOutWhatCanBe(choices, needed, task);
+    if (!task.stopped() && !(dragAlong(choices, needed) && castable(choices, needed)))
+        needed = whole;
+    joinAlike(choices, needed);
+    numberByVolume(choices, needed, nothing);
+    return needed;
+}
+
+std::vector<FillRegion> describe(const ChoiceMesh& choices, const std::vector<char>& needed) {
+    const std::vector<double> volumes = volumesOf(choices);
+    std::vector<FillRegion> regions(volumes.size());
+    std::vector<Eigen::AlignedBox3d> boxes(volumes.size());
+    std::vector<Eigen::Vector4d> sums(volumes.size(), Eigen::Vector4d::Zero());
+    std::vector<std::set<int>> sides(volumes.size());
+    const auto at = [&](const ChoiceFace& face, std::size_t k) {
+        return choices.points[static_cast<std::size_t>(face.corners[k])];
+    };
+    const auto middle = [&](const ChoiceFace& face) -> Eigen::Vector3d {
+        return (at(face, 0) + at(face, 1) + at(face, 2)) / 3;
+    };
+    for (const ChoiceFace& face : choices.faces) {
+        if (face.covered < 0 || face.made >= 0)
+            continue;
+        const auto r = static_cast<std::size_t>(face.covered);
+        sides[r].insert(face.label);
+        const double area = (at(face, 1) - at(face, 0)).cross(at(face, 2) - at(face, 0)).norm();
+        sums[r] += area * middle(face).homogeneous();
+        for (std::size_t k = 0; k < 3; ++k)
+            boxes[r].extend(at(face, k));
+    }
+    std::vector<double> nearest(volumes.size(), std::numeric_limits<double>::infinity());
+    for (const ChoiceFace& face : choices.faces) {
+        if (face.covered < 0 || face.made >= 0)
+            continue;
+        const auto r = static_cast<std::size_t>(face.covered);
+        if (const double distance = (middle(face) - sums[r].hnormalized()).norm(); distance < nearest[r]) {
+            nearest[r] = distance;
+            regions[r].place = middle(face);
+        }
+    }
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        regions[r].side = sides[r].size() == 1 ? *sides[r].begin() : 0;
+        regions[r].size = boxes[r].isEmpty() ? 0 : boxes[r].diagonal().norm();
+        regions[r].volume = volumes[r];
+        regions[r].needed = needed[r] != 0;
+    }
+    return regions;
 }
 
 /// Drops points that no face uses; says where the kept ones come from.
 void finish(const FillPlan& plan, FilledPart& result) {
     IndexedMesh& mesh = result.surface.mesh;
     std::vector<int> number(static_cast<std::size_t>(mesh.vertexCount()), -1);
-    std::vector<int> source(number.size(), -1);
-    for (int f = 0; f < plan.part.mesh.faceCount(); ++f)
-        for (int k = 0; k < 3; ++k)
-            source[static_cast<std::size_t>(plan.difference.faces[0](f, k))] = plan.part.mesh.F(f, k);
     int count = 0;
     for (int& v : mesh.F.reshaped<Eigen::RowMajor>()) {
         int& known = number[static_cast<std::size_t>(v)];
         if (known < 0) {
             known = count++;
-            result.sourceVertex.push_back(source[static_cast<std::size_t>(v)]);
+            result.sourceVertex.push_back(plan.choices.partPoint[static_cast<std::size_t>(v)]);
         }
         v = known;
     }
@@ -251,25 +289,24 @@ Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions, 
     FillPlan plan;
     plan.part = onGrid(part, ShadowGrid(part.mesh, directions));
     plan.filled = std::move(*filled);
-    plan.difference = meshDifference(plan.part, plan.filled.surface);
-    joinIslands(plan.difference, directions);
-    numberByVolume(plan.difference, kNothing * volume(part.mesh));
-    std::vector<Patch> patches = patchesOf(plan.difference);
-    patches.pop_back();
-    plan.regions.reserve(patches.size());
-    for (const Patch& patch : patches)
-        plan.regions.push_back(describe(plan, patch));
-    markNeeded(plan, task);
+    plan.choices = choicesBetween(plan.part, plan.filled.surface);
+    joinIslands(plan.choices, directions);
+    const double nothing = kNothing * volume(part.mesh);
+    numberByVolume(plan.choices, nothing);
+    const std::vector<char> needed = findNeeded(plan.choices, directions, diagonal(part.mesh), nothing, task);
+    plan.regions = describe(plan.choices, needed);
     if (task.stopped())
         return failure(ErrorCode::Cancelled, MW_TEXT("fill", "Filling was cancelled."));
     return plan;
 }
 
 Result<FilledPart> fillChosen(const FillPlan& plan, const std::vector<int>& chosen) {
-    std::vector<char> marked(static_cast<std::size_t>(plan.difference.patches), 0);
+    std::vector<char> filled(plan.regions.size(), 0);
     for (const int region : chosen)
-        marked[static_cast<std::size_t>(region)] = 1;
-    FilledPart result = assembled(plan, marked);
+        filled[static_cast<std::size_t>(region)] = 1;
+    FilledPart result;
+    std::vector<int> choiceOf;
+    result.surface = surfaceWith(plan.choices, filled, choiceOf);
     finish(plan, result);
     const MeshDiagnosis found = diagnose(result.surface.mesh);
     if (found.closed && found.manifold && found.oriented && found.degenerateFaces.empty() &&

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "fill/choice_mesh.h"
 #include "fill/fill.h"
-#include "fill/mesh_difference.h"
 
 #include <vector>
 
 namespace moldwright {
 
-/// A part of what filling a part changes, that can be filled or left on its own.
+/// A part of what filling a part changes, that can be filled or left on its own: an undercut that hangs
+/// together, or, where only some of it is needed, what is and what is not.
 struct FillRegion {
     int side = 0;          ///< 1 or 2; 0: it reaches through the plane
     Eigen::Vector3d place; ///< a point of the surface that would vanish, plane's frame
@@ -23,10 +24,11 @@ struct FillPlan {
     std::vector<FillRegion> regions; ///< the largest volume first
     PartedMesh part;                 ///< on the exact grid of fill(); plane's frame
     FilledPart filled;               ///< with all regions chosen
-    MeshDifference difference;       ///< from part to filled; its patches are the regions
+    ChoiceMesh choices;              ///< between part and filled; its regions are those above
 
-    /// The regions marked needed: with them alone the topological certificate holds, and without any one of
-    /// them it would not. Other choices may serve too; this one leaves the largest regions unfilled first.
+    /// The regions marked needed: with them alone the topological certificate holds. Undercuts that it asks
+    /// for are divided at their necks, and what can be left of them is left, the largest first; other choices
+    /// may serve too.
     [[nodiscard]] std::vector<int> needed() const;
 };
 
