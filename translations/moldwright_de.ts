@@ -320,10 +320,6 @@
         <translation>&amp;Halt</translation>
     </message>
     <message>
-        <source>Stop; the part stays as it was.</source>
-        <translation>Anhalten; das Teil bleibt, wie es war.</translation>
-    </message>
-    <message>
         <source>Restore original shape</source>
         <translation>Ursprüngliche Form</translation>
     </message>
@@ -459,6 +455,18 @@
         <source>Hold the shape where it is, or bend it further.</source>
         <translation>Die Form festhalten, wo sie ist, oder weiter biegen.</translation>
     </message>
+    <message>
+        <source>Fi&amp;ll and run</source>
+        <translation>Füllen und s&amp;tarten</translation>
+    </message>
+    <message>
+        <source>Run, and fill the places that no bending frees.</source>
+        <translation>Starten und füllen, was kein Biegen frei macht.</translation>
+    </message>
+    <message>
+        <source>End the run; the shape it reached is kept.</source>
+        <translation>Den Lauf beenden; die erreichte Gestalt bleibt.</translation>
+    </message>
 </context>
 <context>
     <name>MessageDelegate</name>
@@ -488,6 +496,29 @@
     <message>
         <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
         <translation>Die 3MF-Datei ließ sich nicht schreiben: lib3mf scheiterte an {0}.</translation>
+    </message>
+</context>
+<context>
+    <name>ObstructionWords</name>
+    <message>
+        <source>Pocket of air</source>
+        <translation>Lufttasche</translation>
+    </message>
+    <message>
+        <source>Closed piece</source>
+        <translation>Geschlossenes Stück</translation>
+    </message>
+    <message>
+        <source>Handle or arch</source>
+        <translation>Henkel oder Bogen</translation>
+    </message>
+    <message>
+        <source>Linked pieces</source>
+        <translation>Verkettete Stücke</translation>
+    </message>
+    <message>
+        <source>Steep faces</source>
+        <translation>Steile Flächen</translation>
     </message>
 </context>
 <context>
@@ -690,6 +721,22 @@
     <message>
         <source>Step %1, paused</source>
         <translation>Schritt %1, angehalten</translation>
+    </message>
+    <message>
+        <source>Obstructed</source>
+        <translation>Versperrt</translation>
+    </message>
+    <message>
+        <source>Cannot be cast yet</source>
+        <translation>So nicht gießbar</translation>
+    </message>
+    <message>
+        <source>One obstruction at this plane</source>
+        <translation>Ein Hindernis an dieser Ebene</translation>
+    </message>
+    <message>
+        <source>%1 obstructions at this plane</source>
+        <translation>%1 Hindernisse an dieser Ebene</translation>
     </message>
 </context>
 <context>
@@ -1109,6 +1156,30 @@
         <source>Fill</source>
         <translation>Füllen</translation>
     </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>X, Y, Z, mm</source>
+        <translation>X, Y, Z, mm</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>What helps</source>
+        <translation>Was hilft</translation>
+    </message>
+    <message>
+        <source>Filled</source>
+        <translation>Gefüllt</translation>
+    </message>
+    <message>
+        <source>What was filled in where no bending helps, over the part&apos;s volume.</source>
+        <translation>Was gefüllt wurde, wo kein Biegen hilft, im Verhältnis zum Volumen des Teils.</translation>
+    </message>
 </context>
 <context>
     <name>Samples</name>
@@ -1179,6 +1250,26 @@
 </context>
 <context>
     <name>design</name>
+    <message>
+        <source>Move the plane by {0} mm towards side {1}: nothing is in the way there.</source>
+        <translation>Die Ebene um {0} mm zur Seite {1} hin verschieben: dort steht nichts im Weg.</translation>
+    </message>
+    <message>
+        <source>Part it at the plane {0}·x + {1}·y + {2}·z = {3} mm instead: nothing is in the way there.</source>
+        <translation>Stattdessen an der Ebene {0}·x + {1}·y + {2}·z = {3} mm teilen: dort steht nichts im Weg.</translation>
+    </message>
+    <message>
+        <source>Have it joined to the piece beside it: that fills in {0} mm³, {1} % of the part.</source>
+        <translation>Mit dem Stück daneben verbinden lassen: das füllt {0} mm³ auf, {1} % des Teils.</translation>
+    </message>
+    <message>
+        <source>Fill it: that takes {0} mm³, {1} % of the part.</source>
+        <translation>Es füllen: dazu braucht es {0} mm³, {1} % des Teils.</translation>
+    </message>
+    <message>
+        <source>Pin the point {0} to the plane, {1} mm away, so that the plane runs through it.</source>
+        <translation>Den Punkt {0} an die {1} mm entfernte Ebene heften, so dass sie durch ihn geht.</translation>
+    </message>
     <message>
         <source>The design was cancelled.</source>
         <translation>Der Entwurf wurde abgebrochen.</translation>
@@ -2222,6 +2313,46 @@
     <message>
         <source>Turn the part by %1°</source>
         <translation>Das Teil um %1° drehen</translation>
+    </message>
+    <message>
+        <source>Fill where bending fails</source>
+        <translation>Füllen, wo Biegen nicht hilft</translation>
+    </message>
+    <message>
+        <source>The run was stopped before it had a shape. The part is as it was.</source>
+        <translation>Der Lauf wurde angehalten, bevor er eine Gestalt hatte. Das Teil ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>Deform, stopped</source>
+        <translation>Verformen, angehalten</translation>
+    </message>
+    <message>
+        <source>Filled: %1 % of the part&apos;s volume, at places that no bending frees.</source>
+        <translation>Gefüllt: %1 % des Volumens des Teils, wo kein Biegen hilft.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 on side %3: filled.</source>
+        <translation>%1, %2, auf Seite %3: gefüllt.</translation>
+    </message>
+    <message>
+        <source>The run was stopped. What it reached is kept, and not castable yet.</source>
+        <translation>Der Lauf wurde angehalten. Was er erreicht hat, bleibt; es ist noch nicht gießbar.</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface is below %2°. Run bends the part again, at the plane it had; Undo brings back what was before.</source>
+        <translation>%1 % der Oberfläche liegen unter %2°. Start biegt das Teil neu, an derselben Ebene; Rückgängig holt zurück, was vorher war.</translation>
+    </message>
+    <message>
+        <source>Plane of the run</source>
+        <translation>Ebene des Laufs</translation>
+    </message>
+    <message>
+        <source>At this plane one place stands in the way, however the part is bent.</source>
+        <translation>An dieser Ebene ist eine Stelle im Weg, wie man das Teil auch biegt.</translation>
+    </message>
+    <message>
+        <source>At this plane %1 places stand in the way, however the part is bent.</source>
+        <translation>An dieser Ebene sind %1 Stellen im Weg, wie man das Teil auch biegt.</translation>
     </message>
 </context>
 <context>

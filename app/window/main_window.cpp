@@ -13,6 +13,7 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
+#include "window/obstruction_words.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/view_bar.h"
@@ -90,6 +91,8 @@ void MainWindow::refresh() {
     const Verdict verdict = verdictOf(m_bench);
     m_workflow->verdict()->setVerdict(verdict.standing, verdict.sentence, verdict.reason);
     m_projectModel->setRows(projectRows(m_bench, m_visible));
+    if (obstructionNumber(m_selected) >= static_cast<int>(m_bench.obstructions().size()))
+        select(u"deform"_s);
     m_tree->select(m_selected);
     m_plots->setRequiredDraft(m_bench.project().design.draftDegrees);
     if (m_bench.progress().size() < m_plots->points().size())
@@ -122,7 +125,7 @@ void MainWindow::refreshView() {
     m_view->setTiltLimit(m_bench.project().design.maxTiltDegrees);
     scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, m_mode));
     scene.setStateChip(stateChipFor(m_bench));
-    scene.setChips(drawn && m_visible.directions && !inMold ? directionChips() : std::vector<scene::Chip>());
+    scene.setChips(drawn && !inMold ? chipsInView() : std::vector<scene::Chip>());
     if (drawn && std::exchange(m_fitWhenDrawn, false)) {
         m_view->lookHome();
         m_view->fitAll(true);
@@ -150,9 +153,10 @@ void MainWindow::showSurface(const scene::SharedDrawnMesh& drawn) {
             coarse ? m_bench.shownAnalysis() : &m_bench.analysis()->standInAnalysis, *drawn->standIn->mesh));
 }
 
-std::vector<scene::Chip> MainWindow::directionChips() const {
-    std::vector<scene::Chip> chips;
-    if (const auto state = m_bench.shownState())
+std::vector<scene::Chip> MainWindow::chipsInView() const {
+    // Marks first: their numbers are those of the obstructions.
+    std::vector<scene::Chip> chips = marksOf(m_bench.obstructions(), obstructionNumber(m_selected));
+    if (const auto state = m_bench.shownState(); state && m_visible.directions)
         for (const int side : {1, 2})
             chips.push_back(
                 {m_view->scene().arrowTip(side),
@@ -295,8 +299,11 @@ void MainWindow::select(const QString& id) {
         return;
     m_selected = id;
     m_tree->select(id);
+    const int number = obstructionNumber(id);
+    if (number >= 0 && number < static_cast<int>(m_bench.obstructions().size()))
+        m_view->frame(m_bench.placeOf(number));
     const Step step = id == u"plane"_s || id.startsWith(u"direction"_s) ? Step::Plane
-                      : id == u"deform"_s                               ? Step::Deform
+                      : id == u"deform"_s || number >= 0                ? Step::Deform
                       : id == u"cast"_s                                 ? Step::Check
                       : id == u"mold"_s || id.startsWith(u"half"_s)     ? Step::Mold
                                                                         : Step::Part;

@@ -31,6 +31,7 @@ class StartPage;
 class ViewBar;
 class WorkflowBar;
 class Workbench;
+struct Advice;
 struct OpenedMesh;
 
 /// The window: shows the workbench and sends it what the user wants. It holds no data of its own but what is
@@ -77,6 +78,7 @@ private:
     void connectPartActions();
     void connectWindowActions();
     void connectBench();
+    void advise(const Advice& advice);
     void connectPanels();
     void connectView();
     void askTurn();
@@ -108,7 +110,7 @@ private:
     void refresh();
     void refreshView();
     void showSurface(const scene::SharedDrawnMesh& drawn);
-    [[nodiscard]] std::vector<scene::Chip> directionChips() const;
+    [[nodiscard]] std::vector<scene::Chip> chipsInView() const;
     void refreshHistory();
     void refreshActions();
     void refreshTitle();
@@ -151,6 +153,7 @@ private:
     QList<class Dock*> m_docks;
     QByteArray m_firstLayout;
     bool m_docksPlaced = false;
+    QString m_remedy;        ///< the command that the banner offers
     bool m_mayClose = false; ///< what was to be asked before closing has been asked
     QLabel* m_savedLabel = nullptr;
 };

@@ -16,6 +16,7 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
+#include "window/obstruction_words.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/turn_dialog.h"
@@ -127,6 +128,11 @@ void MainWindow::connectPartActions() {
         select(u"deform"_s);
         m_bench.run();
     });
+    m_actions.on(u"fill-and-run"_s, [this] {
+        m_banner->hide();
+        select(u"deform"_s);
+        m_bench.fillAndRun();
+    });
     m_actions.on(u"finish"_s, [this] { m_bench.finish(); });
     m_actions.on(u"pause"_s, [this] { m_bench.resting() ? m_bench.goOn() : m_bench.rest(); });
     m_actions.on(u"stop"_s, [this] { m_bench.stop(); });
@@ -185,6 +191,12 @@ void MainWindow::connectBench() {
                         QMessageBox::Close, this)
                 .exec();
     });
+    connect(&m_bench, &Workbench::advised, this, &MainWindow::advise);
+    connect(m_banner, &Banner::actionChosen, this, [this] {
+        m_banner->hide();
+        m_actions[m_remedy]->trigger();
+    });
+    connect(&m_bench, &Workbench::obstructed, this, [this] { select(obstructionId(0)); });
     connect(&m_bench, &Workbench::saved, this,
             [this] { m_savedLabel->setText(tr("Saved %1").arg(QTime::currentTime().toString(u"HH:mm"_s))); });
     connect(&m_bench, &Workbench::reportWritten, this,
@@ -198,6 +210,12 @@ void MainWindow::connectBench() {
                          0.45 * Eigen::Vector3d::UnitZ());
         m_viewBar->easeOpening(1);
     });
+}
+
+void MainWindow::advise(const Advice& advice) {
+    m_remedy = advice.action;
+    m_banner->showMessage(advice.standing, advice.headline, advice.text,
+                          m_remedy.isEmpty() ? QString() : m_actions[m_remedy]->text().remove(u'&'));
 }
 
 void MainWindow::connectPanels() {
@@ -246,6 +264,7 @@ void MainWindow::connectView() {
         m_bench.layFlatOn(face);
         escape();
     });
+    connect(m_view, &PartView::markClicked, this, [this](int chip) { select(obstructionId(chip)); });
     connect(m_view, &PartView::menuRequested, this, [this](const QPoint& place) {
         QMenu menu;
         for (const QString& id : {u"fit"_s, u"home"_s, u"along-normal"_s, u"show-plane"_s,

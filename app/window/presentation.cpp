@@ -4,6 +4,7 @@
 #include "mesh/measures.h"
 #include "project/edits.h"
 #include "theme/theme.h"
+#include "window/obstruction_words.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -37,8 +38,12 @@ StepState deformState(const Workbench& bench) {
         return {Standing::Running,
                 frame ? Words::tr("Running, step %1").arg(frame->frame.step) : Words::tr("Running")};
     }
+    if (!bench.obstructions().empty())
+        return {Standing::Failing, Words::tr("Obstructed")};
     if (!bench.project().cast)
         return {Standing::Todo, Words::tr("Not started")};
+    if (bench.analysisIsCurrent() && !bench.castIsProved())
+        return {Standing::Warning, Words::tr("Not castable yet")};
     return bench.castShown() ? StepState{Standing::Done, Words::tr("Done")}
                              : StepState{Standing::Stale, Words::tr("Out of date")};
 }
@@ -153,11 +158,18 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
                     .value = deform.words,
                     .strong = true,
                     .stale = deform.standing == Standing::Stale});
+    const int deformRow = static_cast<int>(rows.size()) - 1;
+    for (int i = 0; i < static_cast<int>(bench.obstructions().size()); ++i)
+        rows.push_back({.id = obstructionId(i),
+                        .parent = deformRow,
+                        .iconName = u"error"_s,
+                        .tint = theme().error,
+                        .name = kindName(bench.obstructions()[i].kind),
+                        .value = sizeText(bench.obstructions()[i])});
     if (project.cast) {
-        const int parent = static_cast<int>(rows.size()) - 1;
         rows.push_back({
             .id = u"cast"_s,
-            .parent = parent,
+            .parent = deformRow,
             .iconName = u"result"_s,
             .name = Words::tr("Cast"),
             .value = checkState(bench).words,
@@ -207,6 +219,10 @@ Verdict verdictOf(const Workbench& bench) {
         return {Standing::Done, Words::tr("Castable"),
                 Words::tr("Proved at %1 draft, %2 required").arg(proved, required)};
     }
+    if (const auto count = static_cast<int>(bench.obstructions().size()))
+        return {Standing::Failing, Words::tr("Cannot be cast yet"),
+                count == 1 ? Words::tr("One obstruction at this plane")
+                           : Words::tr("%1 obstructions at this plane").arg(count)};
     const DraftAnalysis* analysis = bench.shownAnalysis();
     if (!analysis)
         return {Standing::Info, Words::tr("Not castable yet"), Words::tr("Measuring the draft")};

@@ -2,6 +2,8 @@
 #include "window/property_pages.h"
 
 #include "window/action_table.h"
+#include "window/obstruction_words.h"
+#include "window/sentence.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -166,6 +168,24 @@ PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
     return page;
 }
 
+PropertyPage obstructionPage(int number, const Workbench& bench, const Actions& actions) {
+    const Obstruction& obstruction = bench.obstructions()[static_cast<std::size_t>(number)];
+    PropertyPage page{
+        obstructionId(number), u"error"_s, kindName(obstruction.kind), sentence(obstruction.message), {}};
+    page.sections.push_back({Words::tr("Where"),
+                             {reading(u"obstruction-place"_s, Words::tr("X, Y, Z, mm")),
+                              reading(u"obstruction-size"_s, Words::tr("Size")),
+                              reading(u"obstruction-side"_s, Words::tr("Side"))},
+                             {},
+                             false});
+    std::vector<QAction*> remedies = {actions[remedyFor(obstruction)]};
+    for (const QString& id : {u"best-plane"_s, u"next-plane"_s, u"fill-and-run"_s})
+        if (actions[id] != remedies.front())
+            remedies.push_back(actions[id]);
+    page.sections.push_back({Words::tr("What helps"), {}, remedies, true});
+    return page;
+}
+
 PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
     PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), Words::tr("Two halves around the cast."), {}};
     const NumberProperty wall{u"mm"_s, 1, 100, 0.5, 1, true};
@@ -208,6 +228,8 @@ PropertyPage castPage(const Workbench&, const Actions& actions) {
          {goalReading(u"distance"_s, Words::tr("Mean distance"),
                       Words::tr("Over the part's diagonal, after the best rigid fit.")),
           goalReading(u"volume"_s, Words::tr("Volume")),
+          goalReading(u"filled"_s, Words::tr("Filled"),
+                      Words::tr("What was filled in where no bending helps, over the part's volume.")),
           goalReading(u"limb"_s, Words::tr("Shortest limb"), Words::tr("Length, cast over part."))},
          {},
          false});
@@ -221,6 +243,9 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
         return planePage(bench, actions);
     if (selected.startsWith(u"direction"_s) && bench.project().state)
         return directionPage(selected.back().digitValue(), bench, actions);
+    if (const int number = obstructionNumber(selected);
+        number >= 0 && number < static_cast<int>(bench.obstructions().size()))
+        return obstructionPage(number, bench, actions);
     if (selected == u"deform"_s)
         return deformPage(bench, actions);
     if (selected == u"cast"_s)

@@ -5,6 +5,7 @@
 #include "project/placing.h"
 #include "scene/direction_handle.h"
 #include "scene/plane_handle.h"
+#include "window/obstruction_words.h"
 #include "window/presentation.h"
 #include "window/property_pages.h"
 #include "window/workbench.h"
@@ -60,6 +61,8 @@ void fillMeasures(PropertyPanel& panel, const Workbench& bench) {
     panel.setValue(
         u"distance"_s,
         measured(cast ? u"%1 %"_s.arg(100 * project.cast->change.meanDistance, 0, 'f', 2) : u"–"_s));
+    panel.setValue(u"filled"_s,
+                   measured(cast ? percentText(project.cast->change.filledVolumeFraction) : u"–"_s));
     double shortest = 2;
     for (const LimbMeasure& limb : cast ? project.cast->limbs : std::vector<LimbMeasure>())
         shortest = std::min(shortest, limb.lengthRatio);
@@ -109,6 +112,20 @@ void fillProof(PropertyPanel& panel, const Workbench& bench) {
     panel.setMissesGoal(u"curve"_s, !(proof.curvesSimpleAndNested && proof.curvesOnPlane));
     panel.setValue(u"proof"_s, measured(proof.holds() ? Words::tr("yes") : Words::tr("no")));
     panel.setMissesGoal(u"proof"_s, !proof.holds());
+}
+
+void fillObstruction(PropertyPanel& panel, const Workbench& bench) {
+    const int number = obstructionNumber(panel.pageId());
+    if (number < 0 || number >= static_cast<int>(bench.obstructions().size()))
+        return;
+    const Obstruction& obstruction = bench.obstructions()[static_cast<std::size_t>(number)];
+    const Eigen::Vector3d& p = obstruction.place;
+    panel.setValue(u"obstruction-place"_s, measured(u"%1  %2  %3"_s.arg(p.x(), 0, 'f', 1)
+                                                        .arg(p.y(), 0, 'f', 1)
+                                                        .arg(p.z(), 0, 'f', 1)
+                                                        .replace(u'-', QChar(0x2212))));
+    panel.setValue(u"obstruction-size"_s, measured(sizeText(obstruction)));
+    panel.setValue(u"obstruction-side"_s, measured(QString::number(obstruction.side)));
 }
 
 void fillMold(PropertyPanel& panel, const Workbench& bench) {
@@ -231,6 +248,7 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     fillMeasures(panel, bench);
     fillProof(panel, bench);
     fillMold(panel, bench);
+    fillObstruction(panel, bench);
 }
 
 void applyProperty(Workbench& bench, const QString& id, const QVariant& value, bool preview) {

@@ -32,6 +32,14 @@ struct OpenedMesh {
     PreparedMesh prepared;
 };
 
+/// What happened and what to do about it, with the command that does it.
+struct Advice {
+    Standing standing = Standing::Info;
+    QString headline;
+    QString text;
+    QString action; ///< id of the command, or empty
+};
+
 /// Everything the window works on: the document, what is derived from it, and the jobs that change it. It
 /// knows no widget; windows come and go (with the language) while the workbench stays.
 class Workbench : public QObject {
@@ -77,6 +85,11 @@ public:
     [[nodiscard]] const std::vector<PlaneCandidate>& candidates() const { return m_candidates; }
     [[nodiscard]] int candidate() const { return m_candidate; }
 
+    /// What stood in the way of the last run, as long as part and plane are those it ran with.
+    [[nodiscard]] const std::vector<Obstruction>& obstructions() const;
+    /// A box about one of them, mm.
+    [[nodiscard]] Eigen::AlignedBox3d placeOf(int obstruction) const;
+
     [[nodiscard]] const std::shared_ptr<const Mold>& mold() const { return m_mold; }
     [[nodiscard]] bool moldIsCurrent() const;
     /// Half 1 or 2 of the mold, ready to be drawn. Precondition: there is a mold.
@@ -110,12 +123,14 @@ public:
 
     // The cast and its mold
     void run();
+    /// Fills what no bending frees, in this run and the next.
+    void fillAndRun();
     /// Holds the run's shape where it is; goOn() bends it further.
     void rest();
     void goOn();
     /// Bends no further: the run finishes the shape from where it is, and proves it.
     void finish();
-    /// Ends the job that runs; the part stays as it was.
+    /// Ends the job that runs. A run keeps what it reached, in one undo step; else all stays as it was.
     void stop() { m_background.cancel(); }
     void restoreShape();
     void rename(const QString& name);
@@ -132,6 +147,9 @@ Q_SIGNALS:
     /// A mesh was read; its unit must be asked for.
     void unitAsked(const moldwright::OpenedMesh& opened);
     void problem(const QString& headline, const QString& text);
+    void advised(const moldwright::Advice& advice);
+    /// A run found obstructions().
+    void obstructed();
     void moldBuilt();
     void saved();
     void reportWritten(const QString& file);
@@ -141,6 +159,10 @@ private:
     void readProject(const QString& file);
     void readFile(const QString& file, const QString& name, bool sample);
     void takeResult(const Result<DesignResult>& result, const Project& from);
+    void takeCast(const DesignResult& result, const Project& from);
+    void takeObstructions(const DesignResult& result, const Project& from);
+    void tellOfCast(const DesignResult& result);
+    void tellOfStop(const DesignResult& result);
     void pullFrames();
     void askAnalysis();
     void complain(const Error& error, const QString& what);
@@ -159,6 +181,9 @@ private:
     std::vector<PlaneCandidate> m_candidates;
     SharedMesh m_candidatesPart;
     int m_candidate = -1;
+    std::vector<Obstruction> m_obstructions;
+    SharedMesh m_obstructedPart;
+    std::optional<MoldState> m_obstructedState;
     std::shared_ptr<const Mold> m_mold;
     std::array<scene::SharedDrawnMesh, 2> m_drawnHalves;
     std::shared_ptr<const CastResult> m_moldCast;

@@ -7,8 +7,6 @@
 #include "project/edits.h"
 #include "window/sentence.h"
 
-#include <cmath>
-
 namespace moldwright {
 
 namespace {
@@ -119,6 +117,7 @@ void Workbench::run() {
     m_frameTimer.start();
     const auto work = [=, this, stream = m_stream, control = m_control](const Task& task) {
         DesignRequest request = requestFor(from);
+        request.keepUnfinished = true;
         request.finishNow = [control] { return control->takeFinish(); };
         const Result<DesignResult> result = design(request, task, [&](const DesignFrame& frame) {
             stream->put(frame, request.draftDegrees);
@@ -127,6 +126,13 @@ void Workbench::run() {
         return Background::Finish([=, this] { takeResult(result, from); });
     };
     m_background.start(tr("Deforming"), work);
+}
+
+void Workbench::fillAndRun() {
+    DesignSettings settings = project().design;
+    settings.fill = FillChoice::Auto;
+    m_document.edit(tr("Fill where bending fails"), withDesignSettings(m_document.committed(), settings));
+    run();
 }
 
 void Workbench::rest() {
@@ -152,38 +158,6 @@ void Workbench::pullFrames() {
         return;
     m_frame = std::move(newest);
     Q_EMIT changed();
-}
-
-void Workbench::takeResult(const Result<DesignResult>& result, const Project& from) {
-    pullFrames();
-    m_frameTimer.stop();
-    m_stream.reset();
-    m_frame.reset();
-    if (!result) {
-        complain(result.error(), tr("Deforming"));
-        Q_EMIT changed();
-        return;
-    }
-    for (const Message& warning : result->warnings)
-        say(Standing::Warning, sentence(warning));
-    for (const Obstruction& obstruction : result->obstructions) {
-        const Eigen::Vector3d half = Eigen::Vector3d::Constant(std::max(obstruction.size, 1.0) / 2);
-        say(Standing::Warning, sentence(obstruction.message),
-            {obstruction.place - half, obstruction.place + half});
-    }
-    if (!result->cast) {
-        Q_EMIT changed();
-        return;
-    }
-    // Plane and draft may have been changed meanwhile: the result belongs to what the run began with.
-    m_document.edit(tr("Deform"), withCast(from, *result, from.design.draftDegrees));
-    if (result->castable)
-        say(Standing::Done, tr("Castable: proved at %1°, mean distance to the part %2 % of its diagonal.")
-                                .arg(std::floor(10 * result->certificate.worstDraftDegrees) / 10, 0, 'f', 1)
-                                .arg(100 * result->change.meanDistance, 0, 'f', 2));
-    else
-        say(Standing::Failing,
-            tr("Not castable yet: %1").arg(QString::fromStdString(result->certificate.reason)));
 }
 
 void Workbench::buildMoldNow() {

@@ -250,8 +250,8 @@ TEST(Editing, ALargeMeshHasAStandInForMovementsThatTellsTheSame) {
     EXPECT_LT(answer.drawn->standIn->mesh->faceCount(), driver.bench().project().part->faceCount() / 2);
     EXPECT_NEAR(answer.standInAnalysis.violatingAreaFraction, answer.analysis.violatingAreaFraction, 0.02);
     PartView& view = driver.window().view();
-    ASSERT_TRUE(driver.waitFor([&] { return !view.drawing(); }));
-    EXPECT_FALSE(view.scene().standInsUsed());
+    const auto wholeInView = [&] { return !view.drawing() && !view.scene().standInsUsed(); };
+    ASSERT_TRUE(driver.waitFor(wholeInView));
     const QImage whole = view.grabFramebuffer();
     EXPECT_EQ(whole, view.grabFramebuffer()) << "the picture in view is the finished one";
 
@@ -267,8 +267,7 @@ TEST(Editing, ALargeMeshHasAStandInForMovementsThatTellsTheSame) {
     }));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, grip + QPoint(0, -70));
     ASSERT_TRUE(driver.waitIdle());
-    ASSERT_TRUE(driver.waitFor([&] { return !view.drawing(); }));
-    EXPECT_FALSE(view.scene().standInsUsed());
+    ASSERT_TRUE(driver.waitFor(wholeInView));
     EXPECT_NE(view.grabFramebuffer(), whole);
 
     driver.answerQuestion("leave-discard");

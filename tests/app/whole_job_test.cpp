@@ -6,13 +6,17 @@
 #include "exchange/mesh_file.h"
 #include "mesh/check.h"
 #include "mesh/measures.h"
+#include "panels/banner.h"
+#include "panels/property_panel.h"
 #include "panels/step_button.h"
 #include "panels/workflow_bar.h"
 #include "support/folders.h"
+#include "support/shapes.h"
 #include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QTest>
 
@@ -141,17 +145,89 @@ TEST(WholeJob, ARunIsHeldAndFinishedFromWhereItIs) {
     EXPECT_LT(driver.bench().progress().size(), 120U) << "a whole run takes 160 steps and more";
 }
 
-TEST(WholeJob, AStoppedRunLeavesThePartAsItWas) {
+TEST(WholeJob, AStoppedRunKeepsWhatItReachedInOneUndoStepAndCanGoOn) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("bent_beam"));
-    driver.press("Ctrl+B");
-    ASSERT_TRUE(driver.waitIdle());
     const Project before = driver.bench().document().committed();
     driver.press("Ctrl+Return");
     ASSERT_TRUE(driver.waitFor([&] { return driver.bench().frame().has_value(); }, 180000));
     driver.press("Space");
     driver.press("Ctrl+.");
     ASSERT_TRUE(driver.waitIdle());
+    const Project stopped = driver.bench().document().committed();
+    ASSERT_TRUE(stopped.cast);
+    EXPECT_EQ(driver.bench().shownMesh(), stopped.cast->mesh);
+    EXPECT_GT(stopped.cast->change.meanDistance, 0) << "it was bent";
+    EXPECT_EQ(verdict(driver), QStringLiteral("Not castable yet"));
+    EXPECT_FALSE(driver.window().actions()[QStringLiteral("build-mold")]->isEnabled());
+    EXPECT_TRUE(driver.window().findChild<Banner*>()->isVisible());
+    driver.shot("21-stopped");
+
+    driver.press("Ctrl+Z");
     EXPECT_TRUE(sameProject(driver.bench().document().committed(), before));
-    EXPECT_EQ(driver.bench().shownMesh(), before.part);
+    driver.press("Ctrl+Shift+Z");
+    EXPECT_TRUE(sameProject(driver.bench().document().committed(), stopped));
+
+    driver.click("banner-action");
+    ASSERT_TRUE(driver.bench().running());
+    ASSERT_TRUE(driver.waitIdle(300000));
+    EXPECT_EQ(verdict(driver), QStringLiteral("Castable"));
+    EXPECT_EQ(driver.bench().project().state->plane, stopped.state->plane) << "it need not search again";
+}
+
+TEST(WholeJob, ARunStoppedBeforeItHasAShapeLeavesThePartAsItWas) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("goat_head"));
+    const Project before = driver.bench().document().committed();
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.bench().running());
+    driver.press("Ctrl+.");
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_TRUE(sameProject(driver.bench().document().committed(), before));
+}
+
+TEST(WholeJob, AnObstructionIsMarkedListedShownAndFilled) {
+    WindowDriver driver;
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "ring.ply";
+    const IndexedMesh ring = test::rotated(test::torus(30, 10, 48, 20), Eigen::Vector3d::UnitX(), 1.5);
+    ASSERT_TRUE(writeMesh(file, ring, MeshFormat::Ply));
+    ASSERT_TRUE(driver.openMesh(QString::fromStdString(file.string()), 80));
+    // Upright, and parted across its hole: each half spans a gap.
+    driver.selectRow("plane");
+    driver.type("field-offset", "1");
+    driver.selectRow("deform");
+    auto* fill = driver.window().findChild<QComboBox*>(QStringLiteral("choice-fill"));
+    ASSERT_TRUE(fill);
+    fill->setFocus();
+    QTest::keyClick(fill, Qt::Key_Up);
+    ASSERT_EQ(driver.bench().project().design.fill, FillChoice::None);
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitIdle(180000));
+
+    ASSERT_FALSE(driver.bench().obstructions().empty());
+    const Obstruction& found = driver.bench().obstructions().front();
+    EXPECT_EQ(found.kind, Obstruction::Kind::Handle);
+    EXPECT_EQ(verdict(driver), QStringLiteral("Cannot be cast yet"));
+    EXPECT_TRUE(driver.window().findChild<Banner*>()->isVisible());
+    auto* panel = driver.window().findChild<PropertyPanel*>();
+    EXPECT_EQ(panel->pageId(), QStringLiteral("obstruction-0"));
+    driver.shot("22-obstruction");
+
+    // A click on its mark comes back to it.
+    driver.selectRow("part");
+    EXPECT_EQ(panel->pageId(), QStringLiteral("part"));
+    PartView& view = driver.window().view();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.pixelOf(found.place));
+    QTest::qWait(300);
+    EXPECT_EQ(panel->pageId(), QStringLiteral("obstruction-0"));
+
+    driver.click("banner-action");
+    ASSERT_TRUE(driver.waitIdle(300000));
+    ASSERT_TRUE(driver.bench().project().cast);
+    EXPECT_EQ(verdict(driver), QStringLiteral("Castable"));
+    EXPECT_GT(driver.bench().project().cast->change.filledVolumeFraction, 0.05);
+    EXPECT_TRUE(driver.bench().obstructions().empty());
+    driver.selectRow("cast");
+    driver.shot("23-filled");
 }

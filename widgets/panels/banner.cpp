@@ -39,6 +39,7 @@ Banner::Banner(QWidget* parent) : QFrame(parent) {
     closeButton->setToolTip(tr("Close this message"));
     closeButton->setAccessibleName(closeButton->toolTip());
     row->addWidget(closeButton);
+    m_action->setObjectName(QStringLiteral("banner-action"));
     connect(m_action, &QPushButton::clicked, this, &Banner::actionChosen);
     connect(closeButton, &QToolButton::clicked, this, &QWidget::hide);
     hide();

@@ -46,10 +46,23 @@ struct Spot {
 
 } // namespace
 
-/// A disc with a ring of another colour.
+/// A disc with a white ring.
 struct Overlay::Grip {
     Disc ring;
     Disc face;
+
+    void show(bool shown, double radius, double rim, Rgb colour) {
+        ring.actor->SetVisibility(shown);
+        face.actor->SetVisibility(shown);
+        ring.circle->SetRadius(radius);
+        face.circle->SetRadius(radius - rim);
+        ring.actor->GetProperty()->SetColor(Rgb::hex(0xFFFFFF).unit().data());
+        face.actor->GetProperty()->SetColor(colour.unit().data());
+    }
+    void moveTo(double x, double y) {
+        ring.actor->SetPosition(x, y);
+        face.actor->SetPosition(x, y);
+    }
 };
 
 Overlay::Overlay() = default;
@@ -75,6 +88,7 @@ void Overlay::setColours(const SceneColours& colours, double scale) {
     for (std::size_t i = 0; i < m_chips.size(); ++i)
         lay(*m_chipPanels[i], m_chips[i].content);
     setGrips(m_gripPlaces, m_heldGrip);
+    showMarks();
 }
 
 void Overlay::setLegend(const PanelContent& content) {
@@ -93,6 +107,7 @@ void Overlay::setState(const PanelContent& content) {
 
 void Overlay::setChips(const std::vector<Chip>& chips) {
     while (m_chipPanels.size() < chips.size()) {
+        m_marks.push_back(addGrip());
         m_chipPanels.push_back(std::make_unique<OverlayPanel>());
         m_chipPanels.back()->addTo(m_renderer);
     }
@@ -103,27 +118,40 @@ void Overlay::setChips(const std::vector<Chip>& chips) {
             lay(*m_chipPanels[i], chips[i].content);
     }
     m_chips = chips;
+    showMarks();
+}
+
+void Overlay::showMarks() {
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        const std::optional<Rgb> mark = i < m_chips.size() ? m_chips[i].mark : std::nullopt;
+        m_marks[i]->show(mark.has_value(), 8 * m_scale, 2 * m_scale, mark.value_or(m_colours.undercut));
+    }
+}
+
+std::unique_ptr<Overlay::Grip> Overlay::addGrip() {
+    auto grip = std::make_unique<Grip>();
+    m_renderer->AddViewProp(grip->ring.actor);
+    m_renderer->AddViewProp(grip->face.actor);
+    return grip;
+}
+
+int Overlay::markAt(const Camera& camera, ViewSize view, double x, double y, double reach) const {
+    for (std::size_t i = 0; i < m_chips.size(); ++i)
+        if (m_chips[i].mark &&
+            (camera.project(m_chips[i].place, view).head<2>() - Eigen::Vector2d(x, y)).norm() <= reach)
+            return static_cast<int>(i);
+    return -1;
 }
 
 void Overlay::setGrips(const std::vector<Eigen::Vector3d>& places, int held) {
     m_gripPlaces = places;
     m_heldGrip = held;
-    while (m_grips.size() < places.size()) {
-        m_grips.push_back(std::make_unique<Grip>());
-        m_renderer->AddViewProp(m_grips.back()->ring.actor);
-        m_renderer->AddViewProp(m_grips.back()->face.actor);
-    }
+    while (m_grips.size() < places.size())
+        m_grips.push_back(addGrip());
     for (std::size_t i = 0; i < m_grips.size(); ++i) {
-        Grip& grip = *m_grips[i];
-        const bool shown = i < places.size();
         const bool isHeld = static_cast<int>(i) == held;
-        grip.ring.actor->SetVisibility(shown);
-        grip.face.actor->SetVisibility(shown);
-        const double radius = (isHeld ? 7.5 : 6) * m_scale;
-        grip.ring.circle->SetRadius(radius);
-        grip.face.circle->SetRadius(radius - 2 * m_scale);
-        grip.ring.actor->GetProperty()->SetColor(Rgb::hex(0xFFFFFF).unit().data());
-        grip.face.actor->GetProperty()->SetColor((isHeld ? m_colours.accent : m_colours.plane).unit().data());
+        m_grips[i]->show(i < places.size(), (isHeld ? 7.5 : 6) * m_scale, 2 * m_scale,
+                         isHeld ? m_colours.accent : m_colours.plane);
     }
 }
 
@@ -152,11 +180,11 @@ void Overlay::arrange(const Camera& camera, ViewSize view) {
                 spot.bottom = other.bottom + other.height + 4 * m_scale;
         taken.push_back(spot);
         panel.moveTo(spot.left, spot.bottom);
+        m_marks[i]->moveTo(pixel.x(), view.height - pixel.y());
     }
     for (std::size_t i = 0; i < m_gripPlaces.size(); ++i) {
         const Eigen::Vector3d pixel = camera.project(m_gripPlaces[i], view);
-        m_grips[i]->ring.actor->SetPosition(pixel.x(), view.height - pixel.y());
-        m_grips[i]->face.actor->SetPosition(pixel.x(), view.height - pixel.y());
+        m_grips[i]->moveTo(pixel.x(), view.height - pixel.y());
     }
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 class vtkRenderer;
@@ -17,6 +18,7 @@ namespace moldwright::scene {
 struct Chip {
     Eigen::Vector3d place; ///< mm
     PanelContent content;
+    std::optional<Rgb> mark = {}; ///< a disc of this colour at the place
 
     bool operator==(const Chip&) const = default;
 };
@@ -37,11 +39,16 @@ public:
     /// The points to be drawn as grips; `held` is the one under the pointer, or −1.
     void setGrips(const std::vector<Eigen::Vector3d>& places, int held);
 
+    /// The chip whose mark lies within `reach` of the pixel (x, y), y downwards; −1 for none.
+    [[nodiscard]] int markAt(const Camera& camera, ViewSize view, double x, double y, double reach) const;
+
     /// Puts everything in its place for this camera.
     void arrange(const Camera& camera, ViewSize view);
 
 private:
     struct Grip;
+    [[nodiscard]] std::unique_ptr<Grip> addGrip();
+    void showMarks();
     void lay(OverlayPanel& panel, const PanelContent& content);
 
     vtkRenderer* m_renderer = nullptr;
@@ -56,6 +63,7 @@ private:
     std::vector<Eigen::Vector3d> m_gripPlaces;
     int m_heldGrip = -1;
     std::vector<std::unique_ptr<Grip>> m_grips;
+    std::vector<std::unique_ptr<Grip>> m_marks; ///< one for each chip, shown where it has a mark
 };
 
 } // namespace moldwright::scene

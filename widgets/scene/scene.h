@@ -73,6 +73,7 @@ public:
     void setLegend(const PanelContent& content) { m_overlay.setLegend(content); }
     void setStateChip(const PanelContent& content) { m_overlay.setState(content); }
     void setChips(const std::vector<Chip>& chips) { m_overlay.setChips(chips); }
+    [[nodiscard]] const Overlay& overlay() const { return m_overlay; }
 
     /// Places camera, lights and all that is drawn flat. Call before rendering.
     void arrange(const Camera& camera, ViewSize view);

@@ -182,11 +182,14 @@ std::optional<scene::Grip> PartView::gripUnder(const Eigen::Vector2d& at) const 
 
 QPoint PartView::gripPixel(scene::Grip grip) const {
     for (const scene::GripPlace& shown : m_scene.grips())
-        if (shown.grip == grip) {
-            const Eigen::Vector3d at = m_camera.project(shown.place, viewSize()) / devicePixelRatioF();
-            return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
-        }
+        if (shown.grip == grip)
+            return pixelOf(shown.place);
     return {-1, -1};
+}
+
+QPoint PartView::pixelOf(const Eigen::Vector3d& place) const {
+    const Eigen::Vector3d at = m_camera.project(place, viewSize()) / devicePixelRatioF();
+    return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
 }
 
 void PartView::mousePressEvent(QMouseEvent* event) {
@@ -297,6 +300,11 @@ void PartView::mouseReleaseEvent(QMouseEvent* event) {
     } else if (event->button() == Qt::LeftButton && !m_dragged && m_pickingFaces && m_picker) {
         if (const auto hit = m_picker->pick(m_camera.rayAt(at.x(), at.y(), viewSize())))
             Q_EMIT faceClicked(hit->face);
+    } else if (event->button() == Qt::LeftButton && !m_dragged) {
+        const int chip =
+            m_scene.overlay().markAt(m_camera, viewSize(), at.x(), at.y(), gripReach * devicePixelRatioF());
+        if (chip >= 0)
+            Q_EMIT markClicked(chip);
     } else if (event->button() == Qt::RightButton && !m_dragged) {
         Q_EMIT menuRequested(event->globalPosition().toPoint());
     }

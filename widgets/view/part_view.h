@@ -59,6 +59,8 @@ public:
     /// Gives up a drag of a grip; returns whether there was one.
     bool cancelDrag();
 
+    /// A pixel of this widget where a point of the scene is, mm.
+    [[nodiscard]] QPoint pixelOf(const Eigen::Vector3d& place) const;
     /// A pixel of this widget where a grip is, for tests and tours; outside when it is not shown.
     [[nodiscard]] QPoint gripPixel(scene::Grip grip) const;
 
@@ -68,6 +70,8 @@ Q_SIGNALS:
     void dragCommitted(const moldwright::MoldState& state, moldwright::scene::Grip grip);
     void dragCancelled();
     void faceClicked(int face);
+    /// The mark of a chip was clicked.
+    void markClicked(int chip);
     void menuRequested(const QPoint& globalPlace);
 
 protected:
