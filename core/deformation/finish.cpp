@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "deformation/finish.h"
 
-#include "castability/parting_line.h"
-#include "deformation/labelled_problem.h"
+#include "deformation/finish_region.h"
 #include "deformation/side_hinge.h"
 #include "mesh/measures.h"
 
@@ -16,34 +15,34 @@ namespace {
 constexpr double kAimHigher = 1.0;  ///< degrees above the required draft
 constexpr double kEnough = 0.2;     ///< degrees above the required draft that end the finish
 constexpr double kAreaFloor = 0.01; ///< of the mean face area: slivers must count too
+constexpr double kFew = 0.005;      ///< of the faces: so few below the draft are stuck, not on their way
+constexpr double kMany = 0.02;      ///< of the faces: more are worked on all together
+constexpr int kRings = 6;           ///< of faces about those that need work
 constexpr int kIterations = 100;
 constexpr std::size_t kStalledRounds = 3; ///< without fewer violations: what is left is stuck
 constexpr double kThinInSteps =
     400; ///< rounding steps below which a face is too thin to keep its draft in floats
 
-LabelledBody shellOf(const LabelledSurface& surface, const Directions& directions) {
-    LabelledBody body;
-    body.shape.V = surface.mesh.V;
-    body.shape.F = surface.mesh.F;
-    body.shape.membrane = 1;
-    body.labels = surface.labels;
-    body.directions = directions;
-    body.held.assign(static_cast<std::size_t>(surface.mesh.vertexCount()), 0);
-    for (const auto& [a, b] : partingEdges(surface.mesh, surface.labels))
-        body.held[static_cast<std::size_t>(a)] = body.held[static_cast<std::size_t>(b)] = 1;
-    // A face that was laid in the plane (a flat back) stays there.
-    for (int v = 0; v < surface.mesh.vertexCount(); ++v)
-        if (surface.mesh.V(v, 2) == 0)
-            body.held[static_cast<std::size_t>(v)] = 1;
-    return body;
-}
-
-std::vector<double> flooredAreas(const IndexedMesh& mesh) {
+/// Areas of the faces listed, slivers counted as if they were larger.
+std::vector<double> flooredAreas(const IndexedMesh& mesh, const std::vector<int>& faces) {
     const double floor = kAreaFloor * surfaceArea(mesh) / mesh.faceCount();
     std::vector<double> areas;
-    for (int f = 0; f < mesh.faceCount(); ++f)
+    areas.reserve(faces.size());
+    for (const int f : faces)
         areas.push_back(std::max(doubleAreaVector(mesh, f).norm() / 2, floor));
     return areas;
+}
+
+/// Faces below a draft angle: 1 each.
+std::vector<char> below(const LabelledSurface& surface, const Directions& directions, double tau) {
+    std::vector<char> faces;
+    faces.reserve(surface.labels.size());
+    for (int f = 0; f < surface.mesh.faceCount(); ++f) {
+        const Eigen::Vector3d c = doubleAreaVector(surface.mesh, f);
+        const Eigen::Vector3d& d = directions.of(surface.labels[static_cast<std::size_t>(f)]);
+        faces.push_back(!(c.dot(d) >= tau * c.norm()));
+    }
+    return faces;
 }
 
 int violations(const LabelledSurface& surface, const Directions& directions, double draftDegrees) {
@@ -52,39 +51,61 @@ int violations(const LabelledSurface& surface, const Directions& directions, dou
         .violating;
 }
 
+/// Where a round works: about the faces that need it; everywhere while these are many.
+FinishRegion regionOfRound(const LabelledSurface& surface, const Directions& directions, double tau,
+                           int rings) {
+    const std::vector<char> faces = below(surface, directions, tau);
+    if (static_cast<double>(std::count(faces.begin(), faces.end(), 1)) > kMany * surface.mesh.faceCount())
+        return wholeRegion(surface, directions);
+    return regionAround(surface, faces, rings, directions);
+}
+
+/// One minimisation of the castability energy about the faces that want it.
+void relax(LabelledSurface& surface, const StageWeights& weights, const FinishGoal& goal, int rings,
+           const Task& task) {
+    const double enough = std::sin(radians(goal.draftDegrees + kEnough));
+    const FinishRegion region = regionOfRound(surface, goal.directions, enough, rings);
+    const LabelledBody& body = region.body;
+    LabelledProblem problem(body);
+    const Positions X = problem.minimize(
+        weights, flooredAreas(surface.mesh, region.faces), body.shape.V, [&](const Positions& Y) {
+            return !task.stopped() &&
+                   sideDraft(body.shape.F, body.labels, goal.directions, Y, enough).violating > 0;
+        });
+    for (std::size_t i = 0; i < region.points.size(); ++i)
+        surface.mesh.V.row(region.points[i]) = X.row(static_cast<Eigen::Index>(i));
+}
+
 } // namespace
 
 bool finishSurface(LabelledSurface& surface, const FinishGoal& goal, const Task& task,
                    const std::function<void(const LabelledSurface&)>& watch) {
     StageWeights weights;
-    weights.elastic = 1e-3;
-    weights.hinge = 1;
+    weights.elastic = 1e-2;
     weights.tau = std::sin(radians(goal.draftDegrees + kAimHigher));
     weights.barrier = 0.01;
     weights.iterations = kIterations;
     weights.relativeDecrease = 1e-9;
-    const double enough = std::sin(radians(goal.draftDegrees + kEnough));
-    CleanUpGoal mending{goal.directions, enough, kThinInSteps * goal.resolution,
-                        kThinInSteps * goal.resolution};
-    cleanUp(surface, mending);
+    const CleanUpGoal mending{goal.directions, std::sin(radians(goal.draftDegrees + kEnough)),
+                              kThinInSteps * goal.resolution, kThinInSteps * goal.resolution};
+    // Clean-up costs detail: it comes first only where motion alone has done its part.
+    if (violations(surface, goal.directions, goal.draftDegrees) < kFew * surface.mesh.faceCount())
+        cleanUp(surface, mending);
     std::vector<int> history;
+    int rings = kRings;
     for (int round = 0; round < goal.rounds && !task.stopped(); ++round) {
         if (violations(surface, goal.directions, goal.draftDegrees + kEnough) == 0)
             return true;
         task.progress(static_cast<double>(round) / goal.rounds, "finish");
-        LabelledProblem problem(shellOf(surface, goal.directions));
-        const Positions X =
-            problem.minimize(weights, flooredAreas(surface.mesh), surface.mesh.V, [&](const Positions& Y) {
-                return !task.stopped() &&
-                       sideDraft(surface.mesh.F, surface.labels, goal.directions, Y, enough).violating > 0;
-            });
-        surface.mesh.V = X;
+        relax(surface, weights, goal, rings, task);
         cleanUp(surface, mending);
         weights.elastic = std::max(weights.elastic * 0.1, 1e-8);
         weights.barrier = std::max(weights.barrier * 0.3, 1e-4);
         if (watch)
             watch(surface);
         history.push_back(violations(surface, goal.directions, goal.draftDegrees));
+        if (round > 0 && history[history.size() - 2] <= history.back())
+            rings *= 2;
         if (history.size() > kStalledRounds && history.back() >= history[history.size() - 1 - kStalledRounds])
             break;
     }

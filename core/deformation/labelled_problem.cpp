@@ -30,7 +30,8 @@ std::vector<signed char> sidesOfPoints(const LabelledBody& body) {
 }
 
 std::vector<std::array<int, 2>> curveOf(const LabelledBody& body) {
-    return partingEdges(IndexedMesh{body.shape.V, body.shape.F}, body.labels);
+    return !body.line.empty() ? body.line
+                              : partingEdges(IndexedMesh{body.shape.V, body.shape.F}, body.labels);
 }
 
 } // namespace
@@ -40,7 +41,7 @@ LabelledProblem::LabelledProblem(LabelledBody body)
       m_heights(sidesOfPoints(m_body), m_body.shape.V), m_bodyLaplacian(m_elastic.laplacian()),
       // A sum keeps the union of both patterns: from here on one pattern serves for any weights.
       m_surfaceLaplacian(0.0 * m_bodyLaplacian + surfaceLaplacian(m_body.shape.V, m_body.shape.F)),
-      m_system(m_surfaceLaplacian, m_body.held) {
+      m_system(m_surfaceLaplacian, m_body.held, m_body.fixed) {
     m_bodyLaplacian = m_bodyLaplacian + 0.0 * m_surfaceLaplacian;
 }
 
@@ -57,6 +58,9 @@ double LabelledProblem::value(const StageWeights& weights, const std::vector<dou
     for (std::size_t v = 0; v < m_body.held.size(); ++v)
         if (m_body.held[v])
             gradient(static_cast<Eigen::Index>(v), 2) = 0;
+    for (std::size_t v = 0; v < m_body.fixed.size(); ++v)
+        if (m_body.fixed[v])
+            gradient.row(static_cast<Eigen::Index>(v)).setZero();
     return value;
 }
 

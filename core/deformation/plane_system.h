@@ -15,8 +15,10 @@ namespace moldwright {
 /// they are one and factored once.
 class PlaneSystem {
 public:
-    /// `pattern`: lower triangle; `held`: 1 for points held at z = 0.
-    PlaneSystem(const Eigen::SparseMatrix<double>& pattern, std::vector<char> held);
+    /// `pattern`: lower triangle; `held`: 1 for points held at z = 0; `fixed`: 1 for points whose three
+    /// coordinates are all 0 in what is solved, empty for none.
+    PlaneSystem(const Eigen::SparseMatrix<double>& pattern, std::vector<char> held,
+                std::vector<char> fixed = {});
 
     /// Factors A + ε·mean(diag A)·I. A has the pattern given first. False when it is not positive definite.
     [[nodiscard]] bool factor(const Eigen::SparseMatrix<double>& A);
@@ -34,6 +36,7 @@ public:
 
 private:
     std::vector<char> m_held;
+    std::vector<char> m_fixed; ///< per point
     SparseSolver m_xy;
     std::optional<SparseSolver> m_z; ///< none: z solves with m_xy
     double m_shift = 0;

@@ -53,6 +53,22 @@ TEST_F(System, HoldsPointsInThePlaneAndLetsThemSlideInIt) {
     EXPECT_LT(r.leftCols<2>().norm(), 1e-9 * X.norm());
 }
 
+TEST_F(System, FixedPointsDoNotMoveAndTheOthersSolveWithoutThem) {
+    std::vector<char> fixed(m_none.size(), 0);
+    fixed[0] = fixed[3] = 1;
+    PlaneSystem system(m_A, m_none, fixed);
+    ASSERT_TRUE(system.factor(m_A));
+    const Positions B = Positions::Random(m_A.rows(), 3);
+    const Positions X = system.solve(B);
+    const Positions r = m_A.selfadjointView<Eigen::Lower>() * X + system.shift() * X - B;
+    for (Eigen::Index v = 0; v < X.rows(); ++v) {
+        if (fixed[static_cast<std::size_t>(v)])
+            EXPECT_EQ(X.row(v), Eigen::RowVector3d::Zero());
+        else
+            EXPECT_LT(r.row(v).norm(), 1e-10);
+    }
+}
+
 TEST_F(System, TheShiftKeepsThePresentPlace) {
     PlaneSystem system(m_A, m_none);
     ASSERT_TRUE(system.factor(m_A));

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "deformation/finish_region.h"
+
+#include "castability/parting_line.h"
+
+#include <algorithm>
+
+namespace moldwright {
+
+namespace {
+
+/// Adds the faces that share a point with those marked.
+void widen(const Triangles& F, std::vector<char>& faces, Eigen::Index points) {
+    std::vector<char> touched(static_cast<std::size_t>(points), 0);
+    for (Eigen::Index f = 0; f < F.rows(); ++f)
+        for (int k = 0; k < 3 && faces[static_cast<std::size_t>(f)]; ++k)
+            touched[static_cast<std::size_t>(F(f, k))] = 1;
+    for (Eigen::Index f = 0; f < F.rows(); ++f)
+        for (int k = 0; k < 3; ++k)
+            if (touched[static_cast<std::size_t>(F(f, k))])
+                faces[static_cast<std::size_t>(f)] = 1;
+}
+
+/// The body of the faces marked, with the points of `line` even where no such face has them.
+FinishRegion regionOf(const LabelledSurface& surface, const std::vector<char>& marked,
+                      const std::vector<std::array<int, 2>>& line, const Directions& directions) {
+    FinishRegion region;
+    const IndexedMesh& mesh = surface.mesh;
+    std::vector<int> placeOf(static_cast<std::size_t>(mesh.vertexCount()), -1);
+    const auto place = [&](int v) {
+        int& at = placeOf[static_cast<std::size_t>(v)];
+        if (at < 0) {
+            at = static_cast<int>(region.points.size());
+            region.points.push_back(v);
+        }
+        return at;
+    };
+    std::vector<char> rim(placeOf.size(), 0);
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        if (marked[static_cast<std::size_t>(f)])
+            region.faces.push_back(f);
+        for (int k = 0; k < 3; ++k)
+            if (!marked[static_cast<std::size_t>(f)])
+                rim[static_cast<std::size_t>(mesh.F(f, k))] = 1;
+    }
+    LabelledBody& body = region.body;
+    body.shape.F.resize(static_cast<Eigen::Index>(region.faces.size()), 3);
+    for (std::size_t i = 0; i < region.faces.size(); ++i) {
+        for (int k = 0; k < 3; ++k)
+            body.shape.F(static_cast<Eigen::Index>(i), k) = place(mesh.F(region.faces[i], k));
+        body.labels.push_back(surface.labels[static_cast<std::size_t>(region.faces[i])]);
+    }
+    for (const auto& [a, b] : line)
+        body.line.push_back({place(a), place(b)});
+    body.shape.V.resize(static_cast<Eigen::Index>(region.points.size()), 3);
+    body.shape.membrane = 1;
+    body.directions = directions;
+    for (std::size_t i = 0; i < region.points.size(); ++i) {
+        const int v = region.points[i];
+        body.shape.V.row(static_cast<Eigen::Index>(i)) = mesh.V.row(v);
+        body.fixed.push_back(rim[static_cast<std::size_t>(v)]);
+        // A face that was laid in the plane (a flat back) stays there, like the line.
+        body.held.push_back(mesh.V(v, 2) == 0);
+    }
+    for (const auto& edge : body.line)
+        for (const int v : edge)
+            body.held[static_cast<std::size_t>(v)] = 1;
+    return region;
+}
+
+} // namespace
+
+FinishRegion regionAround(const LabelledSurface& surface, std::vector<char> faces, int rings,
+                          const Directions& directions) {
+    for (int ring = 0; ring < rings; ++ring)
+        widen(surface.mesh.F, faces, surface.mesh.V.rows());
+    return regionOf(surface, faces, partingEdges(surface.mesh, surface.labels), directions);
+}
+
+FinishRegion wholeRegion(const LabelledSurface& surface, const Directions& directions) {
+    return regionAround(surface, std::vector<char>(surface.labels.size(), 1), 0, directions);
+}
+
+} // namespace moldwright
