@@ -136,8 +136,11 @@ Result<void> writeReportOf(const std::filesystem::path& folder, const Session& s
 }
 
 void tell(const DesignResult& result, const Session& session) {
-    for (const Obstruction& obstruction : result.obstructions)
+    for (const Obstruction& obstruction : result.obstructions) {
         session.tell(obstruction.message);
+        for (const Remedy& remedy : obstruction.remedies)
+            session.tell(remedy.message);
+    }
     for (const Message& warning : result.warnings)
         session.tell(warning);
     if (!result.cast)

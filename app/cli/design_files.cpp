@@ -5,6 +5,8 @@
 #include "exchange/mesh_file.h"
 #include "mesh/measures.h"
 
+#include <array>
+
 namespace moldwright::cli {
 
 namespace {
@@ -24,12 +26,38 @@ const char* nameOf(Obstruction::Kind kind) {
     }
 }
 
-Json jsonOf(const Obstruction& o) {
-    return {{"kind", nameOf(o.kind)},
-            {"message", o.message.english()},
-            {"place", cli::jsonOf(o.place)},
-            {"size", o.size},
-            {"side", o.side}};
+Json jsonOf(const Remedy& remedy, double partVolume) {
+    const char* const kind =
+        std::array{"plane", "fill", "merge", "pin"}[static_cast<std::size_t>(remedy.kind)];
+    Json json = {{"kind", kind}, {"message", remedy.message.english()}};
+    switch (remedy.kind) {
+    case Remedy::Kind::Plane:
+        json["plane"] = cli::jsonOf(remedy.state->plane);
+        json["d1"] = cli::jsonOf(remedy.state->directions.d1);
+        json["d2"] = cli::jsonOf(remedy.state->directions.d2);
+        break;
+    case Remedy::Kind::Fill:
+    case Remedy::Kind::Merge:
+        json["volume"] = remedy.volume;
+        json["volume_fraction"] = remedy.volume / partVolume;
+        break;
+    case Remedy::Kind::Pin:
+        json["point"] = cli::jsonOf(remedy.point);
+        break;
+    }
+    return json;
+}
+
+Json jsonOf(const Obstruction& o, double partVolume) {
+    Json json = {{"kind", nameOf(o.kind)},
+                 {"message", o.message.english()},
+                 {"place", cli::jsonOf(o.place)},
+                 {"size", o.size},
+                 {"side", o.side},
+                 {"remedies", Json::array()}};
+    for (const Remedy& remedy : o.remedies)
+        json["remedies"].push_back(jsonOf(remedy, partVolume));
+    return json;
 }
 
 Json jsonOf(const Certificate& c) {
@@ -87,7 +115,7 @@ Json designJson(const std::string& inputFile, const DesignRequest& request, cons
                                  {"length_ratio", limb.lengthRatio},
                                  {"volume_ratio", limb.volumeRatio}});
     for (const Obstruction& obstruction : result.obstructions)
-        json["obstructions"].push_back(jsonOf(obstruction));
+        json["obstructions"].push_back(jsonOf(obstruction, volume(part)));
     return json;
 }
 

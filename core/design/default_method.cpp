@@ -8,6 +8,7 @@
 #include "design/mold_states.h"
 #include "design/paper_method.h"
 #include "design/parting.h"
+#include "design/remedies.h"
 #include "design/stopwatch.h"
 #include "mesh/measures.h"
 
@@ -177,10 +178,10 @@ void fillWhereWanted(const IndexedMesh& shape, const MoldStates& states, Tries& 
         tries.take(tryFilling(shape, state, FillExtent::All, task, run));
 }
 
-void tellObstructions(DesignResult& result, ObstructedPart obstructed) {
+void tellObstructions(DesignResult& result, ObstructedPart obstructed, const WorkingFrame& frame) {
     result.obstructions = std::move(obstructed.obstructions);
-    result.parted = std::make_shared<const IndexedMesh>(std::move(obstructed.mesh));
-    result.partedLabels = std::move(obstructed.labels);
+    result.parted = std::make_shared<const IndexedMesh>(frame.toPart(obstructed.surface.mesh));
+    result.partedLabels = std::move(obstructed.surface.labels);
 }
 
 /// Pins first pull the whole part, unsplit, until they lie in the plane: [Stein 2019], Section 6.1.
@@ -216,6 +217,8 @@ Result<DesignResult> designByBending(DesignRun& run) {
     ObstructedPart obstructed;
     if (!tries.first && !run.stopped())
         obstructed = obstructionsAt(*shape, states->best());
+    if (!obstructed.obstructions.empty())
+        offerRemedies(obstructed, *shape, states->best(), run);
     if (request.fill == FillChoice::Auto)
         fillWhereWanted(*shape, *states, tries, run);
     if (!tries.best) {
@@ -228,7 +231,7 @@ Result<DesignResult> designByBending(DesignRun& run) {
         tries.best->certificate.reason = obstructed.obstructions.front().message.english();
     }
     if (!obstructed.obstructions.empty())
-        tellObstructions(*tries.best, std::move(obstructed));
+        tellObstructions(*tries.best, std::move(obstructed), WorkingFrame(*shape, states->best()));
     return *tries.best;
 }
 

@@ -66,6 +66,16 @@ struct DesignFrame {
 };
 using FrameSink = std::function<void(const DesignFrame&)>;
 
+/// What would take an obstruction away, with the facts to choose by.
+struct Remedy {
+    enum class Kind { Plane, Fill, Merge, Pin };
+    Kind kind = Kind::Fill;
+    Message message;                                 ///< what to do and what it takes
+    std::optional<MoldState> state;                  ///< Plane: where nothing is in the way
+    double volume = 0;                               ///< Fill, Merge: what would be filled in, mm³
+    Eigen::Vector3d point = Eigen::Vector3d::Zero(); ///< Pin: to be drawn into the plane, mm, part frame
+};
+
 /// A named reason why the shape cannot be cast with these choices, whatever the deformation.
 struct Obstruction {
     enum class Kind { Pocket, ClosedPiece, Handle, Link, SteepFaces };
@@ -74,6 +84,7 @@ struct Obstruction {
     Eigen::Vector3d place; ///< mm, part frame
     double size = 0;       ///< mm, diagonal of the piece concerned
     int side = 0;          ///< 1 or 2
+    std::vector<Remedy> remedies;
 };
 
 /// How far the cast is from the part, after the best rigid fit; distances over the part's diagonal.
@@ -104,7 +115,7 @@ struct DesignResult {
     SurfaceStrain strain; ///< from the part, filled where it was filled, to the cast
     std::vector<LimbMeasure> limbs;
     std::vector<Obstruction> obstructions;
-    SharedMesh parted;       ///< mm, part frame: the part with its parting line, where obstructions were found
+    SharedMesh parted; ///< mm, part frame: the part with its parting line, where obstructions were found
     SideLabels partedLabels; ///< side of each face of parted
     std::vector<Message> warnings;
     int tets = 0;

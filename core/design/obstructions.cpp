@@ -127,7 +127,7 @@ std::vector<Obstruction> findObstructions(const IndexedMesh& parted, const SideL
         const bool linked = fault == PieceFault::Arch && spansAnother(parted, labels, components, piece);
         const Kind kind = linked ? Kind::Link : kindOf(fault);
         found.push_back({kind, describe(kind, fault, piece.side, placeText(box.center()), readable(size, 3)),
-                         box.center(), size, piece.side});
+                         box.center(), size, piece.side, {}});
     }
     return found;
 }

@@ -92,8 +92,7 @@ ObstructedPart obstructionsAt(const IndexedMesh& part, const MoldState& state) {
     ObstructedPart found;
     for (const auto& [reach, snap] : kPartings) {
         PartedMesh surface = parted(work, reach, snap);
-        found = {findObstructions(surface.mesh, surface.labels, frame), frame.toPart(surface.mesh),
-                 std::move(surface.labels)};
+        found = {findObstructions(surface.mesh, surface.labels, frame), std::move(surface)};
         if (found.obstructions.empty())
             break;
     }

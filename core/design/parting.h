@@ -41,8 +41,7 @@ enum class FillExtent { Needed, All };
 /// What can never be cast of the part at one state.
 struct ObstructedPart {
     std::vector<Obstruction> obstructions; ///< none where planePasses()
-    IndexedMesh mesh;                      ///< the part with its parting line, mm, part frame
-    SideLabels labels;                     ///< side of each face of mesh
+    PartedMesh surface;                    ///< the part with its parting line, working frame
 };
 
 /// The obstructions of the part at `state`.

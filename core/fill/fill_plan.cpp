@@ -300,6 +300,19 @@ Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions, 
     return plan;
 }
 
+double neededVolumeAt(const FillPlan& plan, const std::vector<int>& faces) {
+    const std::set<int> asked(faces.begin(), faces.end());
+    std::set<int> regions;
+    for (const ChoiceFace& face : plan.choices.faces)
+        if (face.made < 0 && face.covered >= 0 && asked.contains(face.source) &&
+            plan.regions[static_cast<std::size_t>(face.covered)].needed)
+            regions.insert(face.covered);
+    double sum = 0;
+    for (const int region : regions)
+        sum += plan.regions[static_cast<std::size_t>(region)].volume;
+    return sum;
+}
+
 Result<FilledPart> fillChosen(const FillPlan& plan, const std::vector<int>& chosen) {
     std::vector<char> filled(plan.regions.size(), 0);
     for (const int region : chosen)

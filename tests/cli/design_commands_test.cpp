@@ -11,6 +11,7 @@
 
 #include <fstream>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 using namespace moldwright;
@@ -164,6 +165,23 @@ TEST_F(DesignCommands, DesignNamesWhatStandsInTheWay) {
     EXPECT_EQ(json["obstructions"][0]["kind"], "handle");
     EXPECT_EQ(json["obstructions"][0]["place"].size(), 3U);
     EXPECT_FALSE(std::filesystem::exists(in("ring/cast.stl")));
+    EXPECT_TRUE(std::filesystem::exists(in("ring/parted.ply")));
+    std::set<std::string> kinds;
+    for (const Json& remedy : json["obstructions"][0]["remedies"]) {
+        kinds.insert(remedy["kind"]);
+        EXPECT_NE(run.err.find(remedy["message"].get<std::string>()), std::string::npos) << remedy;
+        if (remedy["kind"] == "plane") {
+            std::vector<std::string> again{"design", standingRing(), "--out", in("moved"), "--fill",
+                                           "none",   "--time-limit", "0.5",   "--plane"};
+            for (const Json& x : remedy["plane"])
+                again.push_back(x.dump());
+            EXPECT_NE(test::runProgram(again).exitCode, 4) << "the plane suggested must serve";
+        } else if (remedy["kind"] == "fill") {
+            EXPECT_GT(remedy["volume"], 0);
+            EXPECT_LT(remedy["volume_fraction"], 2);
+        }
+    }
+    EXPECT_TRUE(kinds.contains("plane") && kinds.contains("fill"));
 }
 
 TEST_F(DesignCommands, DesignFillsWhatNoBendingFrees) {

@@ -2,10 +2,12 @@
 #include "design/obstructions.h"
 
 #include "design/parting.h"
+#include "mesh/measures.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 using namespace moldwright;
@@ -61,6 +63,51 @@ TEST(Obstructions, AStandingRingIsAnArchOnBothSides) {
     }
     EXPECT_NE(found[0].side, found[1].side);
     EXPECT_FALSE(planePasses(standingRing(), level(0)));
+}
+
+TEST(Obstructions, EachTellsWhatWouldTakeItAwayAndWhatThatTakes) {
+    DesignRequest request;
+    request.part = std::make_shared<const IndexedMesh>(standingRing());
+    request.plane = level(-17).plane;
+    request.directionsChoice = DirectionsChoice::Normal;
+    const Result<DesignResult> result = design(request);
+    ASSERT_TRUE(result) << result.error().english();
+    ASSERT_FALSE(result->obstructions.empty());
+    EXPECT_EQ(result->parted->faceCount(), static_cast<int>(result->partedLabels.size()));
+    const Obstruction& handle = result->obstructions.front();
+    const auto remedy = [&](Remedy::Kind kind) {
+        const auto found = std::find_if(handle.remedies.begin(), handle.remedies.end(),
+                                        [&](const Remedy& r) { return r.kind == kind; });
+        return found == handle.remedies.end() ? nullptr : &*found;
+    };
+    const Remedy* plane = remedy(Remedy::Kind::Plane);
+    ASSERT_NE(plane, nullptr);
+    EXPECT_TRUE(planePasses(*request.part, *plane->state));
+    EXPECT_FALSE(planePasses(*request.part, {*request.plane, {}}));
+    const Remedy* fill = remedy(Remedy::Kind::Fill);
+    ASSERT_NE(fill, nullptr);
+    // The hole's own space, as far as it lies above the plane or needs a wall down to it.
+    EXPECT_GT(fill->volume, 0.1 * volume(*request.part));
+    EXPECT_LT(fill->volume, 40 * 10 * 40);
+    EXPECT_EQ(remedy(Remedy::Kind::Merge), nullptr) << "nothing is apart";
+}
+
+TEST(Obstructions, APieceThatFloatsMayBeJoined) {
+    DesignRequest request;
+    request.part = std::make_shared<const IndexedMesh>(
+        test::together(test::sphere({0, 0, 0}, 10, 3), test::sphere({0, 0, 22}, 8, 3)));
+    request.plane = level(0).plane;
+    request.directionsChoice = DirectionsChoice::Normal;
+    const Result<DesignResult> result = design(request);
+    ASSERT_TRUE(result) << result.error().english();
+    ASSERT_EQ(result->obstructions.size(), 1U);
+    EXPECT_EQ(result->obstructions[0].kind, Obstruction::Kind::ClosedPiece);
+    const auto& remedies = result->obstructions[0].remedies;
+    const auto merge = std::find_if(remedies.begin(), remedies.end(),
+                                    [](const Remedy& r) { return r.kind == Remedy::Kind::Merge; });
+    ASSERT_NE(merge, remedies.end());
+    EXPECT_GT(merge->volume, 0);
+    EXPECT_NE(merge->message.english().find("joined"), std::string::npos);
 }
 
 TEST(Obstructions, ARingAboveThePlaneIsAHandle) {

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/remedies.h"
+
+#include "castability/plane_search.h"
+#include "castability/topology.h"
+#include "fill/fill_plan.h"
+#include "mesh/measures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace moldwright {
+
+namespace {
+
+/// How far a plane is moved to look for one at which nothing is in the way, in diagonals.
+constexpr std::array kShifts = {0.02, 0.04, 0.07, 0.1, 0.15, 0.2, 0.3};
+constexpr int kPlanesTested = 24;  ///< of the best ones, after those
+constexpr double kPinReach = 0.25; ///< in diagonals: points farther from the plane are not worth pinning
+
+using Kind = Obstruction::Kind;
+
+/// Three figures: facts to choose by.
+std::string figure(double x) {
+    return readable(x, 3);
+}
+
+std::string placeText(const Eigen::Vector3d& p) {
+    const auto tenth = [](double x) { return readable(std::round(10 * x) / 10 + 0.0); };
+    return "(" + tenth(p.x()) + ", " + tenth(p.y()) + ", " + tenth(p.z()) + ")";
+}
+
+/// The quick way to be sure of a plane: without bringing points across it first.
+bool surelyPasses(const IndexedMesh& shape, const MoldState& state) {
+    const PartedMesh parted = insertPartingLine(WorkingFrame(shape, state).toWork(shape), 0);
+    return topologyAllowsCasting(parted.mesh, parted.labels);
+}
+
+/// The same normal, moved, the nearest first: the mold stays as it was meant.
+std::optional<Remedy> movedPlane(const IndexedMesh& shape, const PartingPlane& plane, DesignRun& run) {
+    for (const double share : kShifts)
+        for (const double way : {1.0, -1.0}) {
+            const double shift = way * share * diagonal(shape);
+            MoldState state{{plane.normal, plane.offset + shift}, {}};
+            const Eigen::VectorXd heights = (shape.V * plane.normal).array() - state.plane.offset;
+            if (run.stopped() || heights.minCoeff() >= 0 || heights.maxCoeff() <= 0)
+                continue;
+            state.directions = run.directionsFor(shape, state.plane);
+            if (surelyPasses(shape, state))
+                return Remedy{Remedy::Kind::Plane,
+                              {MW_TEXT("design", "Move the plane by {0} mm towards side {1}: nothing is in "
+                                                 "the way there."),
+                               {figure(std::abs(shift)), shift > 0 ? "1" : "2"}},
+                              state,
+                              0,
+                              Eigen::Vector3d::Zero()};
+        }
+    return std::nullopt;
+}
+
+std::optional<Remedy> otherPlane(const IndexedMesh& shape, DesignRun& run) {
+    PlaneSearch search;
+    search.count = kPlanesTested;
+    search.draftDegrees = run.request().draftDegrees;
+    search.maxTiltDegrees = run.request().maxTiltDegrees;
+    search.normalDirections = run.request().directionsChoice == DirectionsChoice::Normal;
+    search.seed = run.request().seed;
+    for (const PlaneCandidate& candidate : findPlanes(shape, search, run.task().part(1, 1))) {
+        if (run.stopped())
+            break;
+        if (!surelyPasses(shape, candidate.state))
+            continue;
+        const Eigen::Vector3d& n = candidate.state.plane.normal;
+        return Remedy{
+            Remedy::Kind::Plane,
+            {MW_TEXT("design", "Part it at the plane {0}·x + {1}·y + {2}·z = {3} mm instead: nothing "
+                               "is in the way there."),
+             {figure(n.x()), figure(n.y()), figure(n.z()), figure(candidate.state.plane.offset)}},
+            candidate.state,
+            0,
+            Eigen::Vector3d::Zero()};
+    }
+    return std::nullopt;
+}
+
+Remedy filling(bool joins, double volumeFilled, double partVolume) {
+    const std::vector<std::string> facts{figure(volumeFilled), figure(100 * volumeFilled / partVolume)};
+    if (joins)
+        return {
+            Remedy::Kind::Merge,
+            {MW_TEXT("design", "Have it joined to the piece beside it: that fills in {0} mm³, {1} % of the "
+                               "part."),
+             facts},
+            {},
+            volumeFilled,
+            Eigen::Vector3d::Zero()};
+    return {Remedy::Kind::Fill,
+            {MW_TEXT("design", "Fill it: that takes {0} mm³, {1} % of the part."), facts},
+            {},
+            volumeFilled,
+            Eigen::Vector3d::Zero()};
+}
+
+/// The highest point of a piece: drawn into the plane it takes the obstruction with it.
+std::optional<Remedy> pin(const SidePiece& piece, const PartedMesh& surface, const WorkingFrame& frame) {
+    Eigen::Vector3d highest = Eigen::Vector3d::Zero();
+    for (const int f : piece.faces)
+        for (int k = 0; k < 3; ++k)
+            if (const Eigen::Vector3d x = surface.mesh.corner(f, k); std::abs(x.z()) > std::abs(highest.z()))
+                highest = x;
+    if (std::abs(highest.z()) > kPinReach)
+        return std::nullopt;
+    const Eigen::Vector3d point = frame.toPart(highest);
+    return Remedy{Remedy::Kind::Pin,
+                  {MW_TEXT("design", "Pin the point {0} to the plane, {1} mm away, so that the plane runs "
+                                     "through it."),
+                   {placeText(point), figure(std::abs(highest.z()) * frame.scale())}},
+                  {},
+                  0,
+                  point};
+}
+
+/// Filling, merging and pinning: what is known of each piece that is in the way.
+void offerLocalRemedies(ObstructedPart& obstructed, const IndexedMesh& shape, const WorkingFrame& frame,
+                        const Directions& directions, const Task& task) {
+    const PartedMesh& surface = obstructed.surface;
+    const Result<FillPlan> plan = planFill(surface, frame.directionsToWork(directions), task);
+    const Result<FilledPart> least = plan ? minimalFill(*plan) : std::unexpected(plan.error());
+    const bool joins =
+        least && connectedComponents(least->surface.mesh).count < connectedComponents(surface.mesh).count;
+    const double cubed = std::pow(frame.scale(), 3);
+    std::size_t next = 0;
+    for (const SidePiece& piece : sidePieces(surface.mesh, surface.labels)) {
+        if (pieceFault(surface.mesh, piece) == PieceFault::None || next == obstructed.obstructions.size())
+            continue;
+        Obstruction& obstruction = obstructed.obstructions[next++];
+        const bool apart = obstruction.kind == Kind::Link || obstruction.kind == Kind::ClosedPiece;
+        if (const double filled = plan ? neededVolumeAt(*plan, piece.faces) : 0; filled > 0)
+            obstruction.remedies.push_back(filling(joins && apart, filled * cubed, volume(shape)));
+        if (obstruction.kind == Kind::Handle)
+            if (const std::optional<Remedy> pinned = pin(piece, surface, frame))
+                obstruction.remedies.push_back(*pinned);
+    }
+}
+
+} // namespace
+
+void offerRemedies(ObstructedPart& obstructed, const IndexedMesh& shape, const MoldState& state,
+                   DesignRun& run) {
+    // With the plane left free, the best ones were tried already.
+    if (run.request().plane) {
+        std::optional<Remedy> plane = movedPlane(shape, state.plane, run);
+        if (!plane && !run.stopped())
+            plane = otherPlane(shape, run);
+        for (Obstruction& obstruction : obstructed.obstructions)
+            if (plane)
+                obstruction.remedies.push_back(*plane);
+    }
+    if (!run.stopped())
+        offerLocalRemedies(obstructed, shape, WorkingFrame(shape, state), state.directions, run.task());
+}
+
+} // namespace moldwright
