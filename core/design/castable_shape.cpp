@@ -8,6 +8,7 @@
 #include "mesh/measures.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace moldwright {
 
@@ -57,22 +58,6 @@ LabelledBody bodyOf(const PartedSolid& solid, const ShapeGoal& goal) {
     return body;
 }
 
-LabelledSurface surfaceOf(const PartedSolid& solid, const Positions& X) {
-    LabelledSurface surface{};
-    const int points = solid.surface.mesh.vertexCount();
-    surface.mesh = {Points(X.topRows(points)), solid.surface.mesh.F};
-    surface.labels = solid.surface.labels;
-    for (int v = 0; v < points; ++v)
-        surface.sourceVertex.push_back(v);
-    return surface;
-}
-
-/// A part that is castable as it is stays as it is.
-bool passesAlready(const LabelledBody& body, double draftDegrees) {
-    const double enough = std::sin(radians(draftDegrees + kSpare));
-    return sideDraft(body.shape.F, body.labels, body.directions, body.shape.V, enough).violating == 0;
-}
-
 std::vector<double> restAreas(const IndexedMesh& mesh) {
     std::vector<double> areas;
     for (int f = 0; f < mesh.faceCount(); ++f)
@@ -80,42 +65,58 @@ std::vector<double> restAreas(const IndexedMesh& mesh) {
     return areas;
 }
 
+LabelledSurface surfaceOf(const PartedSolid& solid, const Positions& X) {
+    return surfaceAt(solid, X.topRows(solid.surface.mesh.vertexCount()));
+}
+
 } // namespace
 
-CastableShape bendToCastable(const PartedSolid& solid, const ShapeGoal& goal, const Task& task,
-                             const ShapeWatch& watch) {
-    const LabelledBody body = bodyOf(solid, goal);
-    Positions X = body.shape.V;
-    if (passesAlready(body, goal.draftDegrees))
-        return {surfaceOf(solid, X), true, 0};
-    LabelledProblem problem(body);
+LabelledSurface surfaceAt(const PartedPart& part, const Points& X) {
+    LabelledSurface surface{{X, part.surface.mesh.F}, part.surface.labels, {}};
+    surface.sourceVertex.resize(static_cast<std::size_t>(X.rows()));
+    std::iota(surface.sourceVertex.begin(), surface.sourceVertex.end(), 0);
+    return surface;
+}
+
+bool passesAlready(const PartedPart& part, double draftDegrees) {
+    const double enough = std::sin(radians(draftDegrees + kSpare));
+    const Directions directions = part.frame.directionsToWork(part.state.directions);
+    const PartedMesh& surface = part.surface;
+    return sideDraft(surface.mesh.F, surface.labels, directions, surface.mesh.V, enough).violating == 0;
+}
+
+BentShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task, const ShapeWatch& watch) {
+    LabelledProblem problem(bodyOf(solid, goal));
+    Positions X = solid.tets.V;
     const std::vector<double> areas = restAreas(solid.surface.mesh);
     StageWeights weights;
     weights.hinge = kFirstHinge;
     weights.tau = std::sin(radians(goal.draftDegrees + kAimHigher));
     weights.iterations = kIterations;
-    const Task elastic = task.part(0, 0.8);
     bool enough = false;
     for (int round = 0; round < kRounds && !enough && !task.stopped();
          ++round, weights.hinge *= kHingeGrowth) {
         weights.barrier = kBarrierShare * weights.hinge;
         int step = 0;
         X = problem.minimize(weights, areas, std::move(X), [&](const Positions& Y) {
-            elastic.progress((round + static_cast<double>(++step) / kIterations) / kRounds, "deformation");
+            task.progress((round + static_cast<double>(++step) / kIterations) / kRounds, "deformation");
             if (watch)
                 watch("deformation", surfaceOf(solid, Y));
             enough = task.stopped() || (goal.finishNow && goal.finishNow());
             return !enough;
         });
     }
-    CastableShape shape{surfaceOf(solid, X), false, problem.iterations()};
-    const FinishGoal finish{body.directions, goal.draftDegrees, goal.resolution / solid.frame.scale(), 10};
-    shape.reached =
-        finishSurface(shape.surface, finish, task.part(0.8, 1), [&](const LabelledSurface& surface) {
-            if (watch)
-                watch("finish", surface);
-        });
-    return shape;
+    return {surfaceOf(solid, X), problem.iterations()};
+}
+
+bool finish(LabelledSurface& surface, const PartedPart& part, const ShapeGoal& goal, double resolution,
+            const Task& task, const ShapeWatch& watch) {
+    const FinishGoal wanted{part.frame.directionsToWork(part.state.directions), goal.draftDegrees,
+                            resolution / part.frame.scale(), 10};
+    return finishSurface(surface, wanted, task, [&](const LabelledSurface& now) {
+        if (watch)
+            watch("finish", now);
+    });
 }
 
 } // namespace moldwright

@@ -10,11 +10,10 @@
 
 namespace moldwright {
 
-/// What the deformation of a parted solid is to respect.
+/// What the deformation of a parted part is to respect.
 struct ShapeGoal {
     double draftDegrees = 1;
     std::vector<double> faceWeights; ///< importance per face of the part; empty: all 1
-    double resolution = 0;           ///< rounding step of the coordinates to be written, mm
     std::function<bool()> finishNow; ///< as in DesignRequest
 };
 
@@ -22,16 +21,26 @@ struct ShapeGoal {
 using ShapeWatch = std::function<void(const char* stage, const LabelledSurface&)>;
 
 /// A deformed surface in the working frame, and what it took.
-struct CastableShape {
+struct BentShape {
     LabelledSurface surface;
-    bool reached = false; ///< every face has its draft
     int iterations = 0;
 };
 
-/// Bends a parted solid until its faces have their draft: one elastic minimisation with a growing castability
-/// term, so that the shape stays related to the original throughout, then the labelled finish. See
-/// ARCHITECTURE.md, "From part to cast". Cancelled tasks end early with what was reached.
-[[nodiscard]] CastableShape bendToCastable(const PartedSolid& solid, const ShapeGoal& goal, const Task& task,
-                                           const ShapeWatch& watch);
+/// The surface of a part with its parting line inserted, its points at X (n×3, working frame).
+[[nodiscard]] LabelledSurface surfaceAt(const PartedPart& part, const Points& X);
+
+/// Whether every face of the part has its draft already: such a part stays as it is.
+[[nodiscard]] bool passesAlready(const PartedPart& part, double draftDegrees);
+
+/// Bends a parted solid until its faces nearly have their draft: one elastic minimisation with a growing
+/// castability term, so that the shape stays related to the original throughout. See ARCHITECTURE.md, "From
+/// part to cast". Cancelled tasks end early with what was reached.
+[[nodiscard]] BentShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task,
+                             const ShapeWatch& watch);
+
+/// The labelled finish: brings a bent surface to its draft. `resolution`: rounding step of the coordinates to
+/// be written, mm; faces that it could spoil are cleaned away. Returns whether every face has its draft.
+[[nodiscard]] bool finish(LabelledSurface& surface, const PartedPart& part, const ShapeGoal& goal,
+                          double resolution, const Task& task, const ShapeWatch& watch);
 
 } // namespace moldwright

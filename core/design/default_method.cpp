@@ -8,6 +8,7 @@
 #include "design/mold_states.h"
 #include "design/paper_method.h"
 #include "design/parting.h"
+#include "design/proxy.h"
 #include "design/remedies.h"
 #include "design/stopwatch.h"
 #include "mesh/measures.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace moldwright {
 
@@ -22,6 +24,8 @@ namespace {
 
 constexpr std::size_t kPlanesTried = 6;    ///< deformed in turn until one ends castable, its limbs kept
 constexpr std::size_t kPlanesForLimbs = 3; ///< of these, tried when only a limb is short
+constexpr int kFacesBentWhole =
+    60000;                           ///< larger parts bend by a stand-in only: theirs are too many tetrahedra
 constexpr int kRoundingAttempts = 3; ///< finishes with ever coarser clean-up until floats keep the draft
 constexpr int kPinSteps = 12;        ///< plastic steps that bring pins to the plane before the part is split
 constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
@@ -52,84 +56,130 @@ bool better(const DesignResult& a, const DesignResult& b) {
 }
 
 /// Rounds to floats, proves, measures.
-void takeCast(DesignResult& result, const PartedSolid& solid, const CastableShape& bent, DesignRun& run) {
+void takeCast(DesignResult& result, const PartedPart& part, const LabelledSurface& surface, DesignRun& run) {
     const Stopwatch watch(run.seconds(), "postprocess");
     const DesignRequest& request = run.request();
-    const IndexedMesh rounded = roundKeepingDraft(solid.frame.toPart(bent.surface.mesh), bent.surface.labels,
-                                                  solid.state.directions, request.draftDegrees);
-    result.labels = bent.surface.labels;
-    result.certificate = certify(rounded, result.labels, solid.state, request.draftDegrees);
+    const IndexedMesh rounded = roundKeepingDraft(part.frame.toPart(surface.mesh), surface.labels,
+                                                  part.state.directions, request.draftDegrees);
+    result.labels = surface.labels;
+    result.certificate = certify(rounded, result.labels, part.state, request.draftDegrees);
     result.castable = result.certificate.holds();
-    const DraftAnalysis analysis = analyzeDraft(rounded, solid.state, request.draftDegrees, false);
+    const DraftAnalysis analysis = analyzeDraft(rounded, part.state, request.draftDegrees, false);
     result.energy = analysis.energy;
     // On an oblique plane rounded points lie a hair off it and analysis sees two pieces: the proof has
     // the last word.
     result.violatingAreaFraction = result.castable ? 0 : analysis.violatingAreaFraction;
-    const IndexedMesh before = solid.frame.toPart(solid.surface.mesh);
-    result.change = measureChange(*request.part, before, rounded, bent.surface.sourceVertex);
-    result.change.filledVolumeFraction = solid.filledVolume / volume(*request.part);
-    result.strain = surfaceStrain(before, rounded, bent.surface.sourceVertex);
-    result.limbs = measureLimbs(before, rounded, bent.surface.sourceVertex, request.limbTips);
+    const IndexedMesh before = part.frame.toPart(part.surface.mesh);
+    result.change = measureChange(*request.part, before, rounded, surface.sourceVertex);
+    result.change.filledVolumeFraction = part.filledVolume / volume(*request.part);
+    result.strain = surfaceStrain(before, rounded, surface.sourceVertex);
+    result.limbs = measureLimbs(before, rounded, surface.sourceVertex, request.limbTips);
     result.cast = std::make_shared<const IndexedMesh>(rounded);
 }
 
-CastableShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task, DesignRun& run) {
-    const Stopwatch watch(run.seconds(), "elastoplastic");
-    // Without anyone to see them, frames would be copied for nothing.
-    if (!run.watched())
-        return bendToCastable(solid, goal, task, {});
-    return bendToCastable(solid, goal, task, [&](const char* stage, const LabelledSurface& surface) {
-        run.show(stage, solid.frame.toPart(surface.mesh), surface.labels, solid.state);
-    });
+/// What is done at one state: the part as it is or filled first, then bent.
+struct Attempt {
+    const IndexedMesh* shape;
+    MoldState state;
+    std::optional<FillExtent> fill;
+};
+
+ShapeGoal goalOf(const DesignRun& run) {
+    return {run.request().draftDegrees, run.request().faceWeights, run.request().finishNow};
 }
 
-/// Bends a solid, rounds and proves it; finishes again with a coarser clean-up where floats lose the draft.
-Result<DesignResult> bendAndProve(const PartedSolid& solid, const Task& task, DesignRun& run) {
+ShapeWatch frameWatch(const PartedPart& part, DesignRun& run) {
+    // Without anyone to see them, frames would be copied for nothing.
+    if (!run.watched())
+        return {};
+    return [&](const char* stage, const LabelledSurface& surface) {
+        run.show(stage, part.frame.toPart(surface.mesh), surface.labels, part.state);
+    };
+}
+
+/// Finishes a bent shape, rounds and proves it; again with a coarser clean-up where floats lose the draft.
+Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& bent, const ShapeGoal& goal,
+                                    const Task& task, DesignRun& run) {
     const DesignRequest& request = run.request();
     DesignResult result;
-    result.state = solid.state;
-    result.tets = static_cast<int>(solid.tets.T.rows());
-    ShapeGoal goal{request.draftDegrees, request.faceWeights, floatStep(*request.part), request.finishNow};
-    for (int attempt = 0; attempt < kRoundingAttempts; ++attempt, goal.resolution *= 4) {
-        const CastableShape bent = bend(solid, goal, task, run);
-        result.localGlobalIterations += bent.iterations;
+    result.state = part.state;
+    result.localGlobalIterations = bent.iterations;
+    double resolution = floatStep(*request.part);
+    for (int attempt = 0; attempt < kRoundingAttempts; ++attempt, resolution *= 4) {
+        LabelledSurface surface = bent.surface;
+        const bool reached = [&] {
+            const Stopwatch watch(run.seconds(), "postprocess");
+            return finish(surface, part, goal, resolution, task, frameWatch(part, run));
+        }();
         result.cutShort = run.stopped();
         if (result.cutShort && !request.keepUnfinished)
             return DesignRun::cancelled();
-        takeCast(result, solid, bent, run);
-        if (result.castable || !bent.reached || result.cutShort)
+        takeCast(result, part, surface, run);
+        if (result.castable || !reached || result.cutShort)
             break;
     }
     return result;
 }
 
-Result<DesignResult> tryBending(const IndexedMesh& shape, const MoldState& state, const Task& task,
-                                DesignRun& run) {
-    const Result<PartedSolid> solid = [&] {
-        const Stopwatch watch(run.seconds(), "tetrahedralize");
-        return partSolid(shape, state, task);
-    }();
-    if (!solid)
-        return std::unexpected(solid.error());
-    return bendAndProve(*solid, task, run);
-}
-
-/// Fills what cannot leave at `state`, then leans the walls that filling made.
-Result<DesignResult> tryFilling(const IndexedMesh& shape, const MoldState& state, FillExtent extent,
-                                const Task& task, DesignRun& run) {
-    const Result<PartedSolid> solid = [&] {
-        const Stopwatch watch(run.seconds(), "fill");
-        return filledSolid(shape, state, extent, task);
-    }();
-    if (!solid)
-        return std::unexpected(solid.error());
-    if (!run.request().mergePieces &&
-        connectedComponents(solid->surface.mesh).count < connectedComponents(shape).count)
+Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& run) {
+    const Stopwatch watch(run.seconds(), attempt.fill ? "fill" : "plane");
+    Result<PartedPart> part = attempt.fill ? filledSurface(*attempt.shape, attempt.state, *attempt.fill, task)
+                                           : partSurface(*attempt.shape, attempt.state, task);
+    if (part && !run.request().mergePieces &&
+        connectedComponents(part->surface.mesh).count < connectedComponents(*attempt.shape).count)
         return failure(ErrorCode::Impossible,
                        MW_TEXT("design",
                                "Filling would join pieces of the part that are apart. Allow it, take "
                                "them apart further, or give another plane."));
-    return bendAndProve(*solid, task, run);
+    return part;
+}
+
+Result<PartedSolid> tetrahedralized(const Attempt& attempt, const Task& task, DesignRun& run) {
+    const Stopwatch watch(run.seconds(), "tetrahedralize");
+    return attempt.fill ? filledSolid(*attempt.shape, attempt.state, *attempt.fill, task)
+                        : partSolid(*attempt.shape, attempt.state, task);
+}
+
+/// Bends the part's own tetrahedra.
+Result<DesignResult> bendWhole(const Attempt& attempt, const Task& task, DesignRun& run) {
+    const ShapeGoal goal = goalOf(run);
+    const Result<PartedSolid> solid = tetrahedralized(attempt, task, run);
+    if (!solid)
+        return std::unexpected(solid.error());
+    const BentShape bent = [&] {
+        const Stopwatch watch(run.seconds(), "elastoplastic");
+        return bend(*solid, goal, task.part(0, 0.8), frameWatch(*solid, run));
+    }();
+    Result<DesignResult> result = finishAndProve(*solid, bent, goal, task.part(0.8, 1), run);
+    if (result)
+        result->tets = static_cast<int>(solid->tets.T.rows());
+    return result;
+}
+
+/// Bends quickly by a coarse stand-in where there is one, otherwise the part's own tetrahedra.
+Result<DesignResult> tryAttempt(const Attempt& attempt, const Task& task, DesignRun& run) {
+    const ShapeGoal goal = goalOf(run);
+    const Result<PartedPart> part = parted(attempt, task, run);
+    if (!part)
+        return std::unexpected(part.error());
+    if (passesAlready(*part, goal.draftDegrees))
+        return finishAndProve(*part, {surfaceAt(*part, part->surface.mesh.V), 0}, goal, task, run);
+    const std::optional<Proxy> proxy = [&] {
+        const Stopwatch watch(run.seconds(), "tetrahedralize");
+        return proxyOf(*part, task);
+    }();
+    if (!proxy)
+        return bendWhole(attempt, task, run);
+    const BentShape bent = [&] {
+        const Stopwatch watch(run.seconds(), "elastoplastic");
+        return bendByProxy(*part, *proxy, goal, task.part(0, 0.6), frameWatch(*part, run));
+    }();
+    Result<DesignResult> result = finishAndProve(*part, bent, goal, task.part(0.6, 1), run);
+    if (result) {
+        result->tets = static_cast<int>(proxy->solid.tets.T.rows());
+        result->bentByProxy = true;
+    }
+    return result;
 }
 
 /// The best of the passing planes, and why there is none.
@@ -137,11 +187,16 @@ struct Tries {
     std::optional<MoldState> first; ///< the first state that passed
     std::optional<DesignResult> best;
     std::optional<Error> lastError;
+    std::vector<Attempt> again; ///< what a stand-in did not bring to an end: the part itself may come further
 
-    void take(Result<DesignResult> result) {
-        if (!result)
+    void take(const Attempt& attempt, Result<DesignResult> result) {
+        if (!result) {
             lastError = result.error();
-        else if (!best || better(*result, *best))
+            return;
+        }
+        if (result->bentByProxy && !result->castable && attempt.shape->faceCount() <= kFacesBentWhole)
+            again.push_back(attempt);
+        if (!best || better(*result, *best))
             best = std::move(*result);
     }
     [[nodiscard]] bool good() const { return best && best->castable && limbsLost(*best) == 0; }
@@ -152,9 +207,16 @@ struct Tries {
     }
 };
 
+/// Bends the part itself where a stand-in was not enough, until one attempt ends well.
+void tryAgain(Tries& tries, const Task& task, DesignRun& run) {
+    for (const Attempt& attempt : std::exchange(tries.again, {}))
+        if (!tries.good() && !run.stopped())
+            tries.take(attempt, bendWhole(attempt, task, run));
+}
+
 Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {
     Tries tries;
-    const double share = 0.85 / kPlanesTried;
+    const double share = 0.7 / kPlanesTried;
     for (std::size_t i = 0; i < kPlanesTried && !tries.good() && !run.stopped(); ++i) {
         if (tries.castable() && i >= kPlanesForLimbs)
             break;
@@ -163,8 +225,10 @@ Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {
             break;
         tries.first = tries.first ? tries.first : state;
         const double from = 0.1 + static_cast<double>(i) * share;
-        tries.take(tryBending(shape, *state, run.task().part(from, from + share), run));
+        const Attempt attempt{&shape, *state, {}};
+        tries.take(attempt, tryAttempt(attempt, run.task().part(from, from + share), run));
     }
+    tryAgain(tries, run.task().part(0.8, 0.95), run);
     return tries;
 }
 
@@ -172,10 +236,15 @@ Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {
 void fillWhereWanted(const IndexedMesh& shape, const MoldStates& states, Tries& tries, DesignRun& run) {
     const MoldState state = tries.first.value_or(states.best());
     const Task task = run.task().part(0.95, 1);
+    const auto tryFilling = [&](FillExtent extent) {
+        const Attempt attempt{&shape, state, extent};
+        tries.take(attempt, tryAttempt(attempt, task, run));
+        tryAgain(tries, task, run);
+    };
     if (!tries.first && !run.stopped())
-        tries.take(tryFilling(shape, state, FillExtent::Needed, task, run));
+        tryFilling(FillExtent::Needed);
     if (tries.wantsFilling() && !run.stopped())
-        tries.take(tryFilling(shape, state, FillExtent::All, task, run));
+        tryFilling(FillExtent::All);
 }
 
 void tellObstructions(DesignResult& result, ObstructedPart obstructed, const WorkingFrame& frame) {

@@ -118,6 +118,7 @@ struct DesignResult {
     SharedMesh parted; ///< mm, part frame: the part with its parting line, where obstructions were found
     SideLabels partedLabels; ///< side of each face of parted
     std::vector<Message> warnings;
+    bool bentByProxy = false; ///< by a coarse stand-in, see proxy.h
     int tets = 0;
     int plasticSteps = 0;
     int localGlobalIterations = 0;

@@ -126,8 +126,12 @@ std::vector<Obstruction> findObstructions(const IndexedMesh& parted, const SideL
         const double size = box.diagonal().norm();
         const bool linked = fault == PieceFault::Arch && spansAnother(parted, labels, components, piece);
         const Kind kind = linked ? Kind::Link : kindOf(fault);
-        found.push_back({kind, describe(kind, fault, piece.side, placeText(box.center()), readable(size, 3)),
-                         box.center(), size, piece.side, {}});
+        found.push_back({kind,
+                         describe(kind, fault, piece.side, placeText(box.center()), readable(size, 3)),
+                         box.center(),
+                         size,
+                         piece.side,
+                         {}});
     }
     return found;
 }

@@ -7,6 +7,9 @@
 #include "fill/fill_plan.h"
 #include "mesh/check.h"
 
+#include <functional>
+#include <optional>
+
 namespace moldwright {
 
 namespace {
@@ -76,13 +79,98 @@ Error crossesItself() {
             {}};
 }
 
+Error wasCancelled() {
+    return {ErrorCode::Cancelled, {MW_TEXT("design", "The design was cancelled."), {}}, {}, {}};
+}
+
+/// What takes a parted surface, or refuses it and why.
+using Taking = std::function<std::optional<Error>(const PartedMesh&)>;
+
+std::optional<Error> takeAny(const PartedMesh&) {
+    return std::nullopt;
+}
+
+/// Takes a surface when TetGen fills it; the tetrahedra go to `tets`.
+Taking takeFilled(TetMesh& tets, const Task& task) {
+    return [&](const PartedMesh& surface) -> std::optional<Error> {
+        Result<TetMesh> filled = tetrahedralize(surface.mesh, task);
+        if (!filled)
+            return filled.error();
+        tets = std::move(*filled);
+        return std::nullopt;
+    };
+}
+
+Result<PartedPart> partUntil(const Taking& take, const IndexedMesh& part, const MoldState& state,
+                             const Task& task) {
+    const WorkingFrame frame(part, state);
+    const IndexedMesh work = frame.toWork(part);
+    std::optional<Error> refusal;
+    for (const double reach : kReaches)
+        for (const double snap : kSnaps) {
+            if (task.stopped())
+                return std::unexpected(wasCancelled());
+            PartedMesh surface = parted(work, reach, snap);
+            if (const auto obstructions = findObstructions(surface.mesh, surface.labels, frame);
+                !obstructions.empty()) {
+                refusal = Error{
+                    ErrorCode::Impossible, obstructions.front().message, {}, {obstructions.front().place}};
+                continue;
+            }
+            refusal = selfIntersections(surface.mesh).empty() ? take(surface) : crossesItself();
+            if (!refusal)
+                return PartedPart{state, frame, std::move(surface)};
+        }
+    return std::unexpected(*refusal);
+}
+
+Result<PartedPart> fillUntil(const Taking& take, const IndexedMesh& part, const MoldState& state,
+                             FillExtent extent, const Task& task) {
+    const WorkingFrame frame(part, state);
+    const IndexedMesh work = frame.toWork(part);
+    const Directions directions = frame.directionsToWork(state.directions);
+    std::optional<Error> refusal;
+    for (const double snap : kSnaps) {
+        if (task.stopped())
+            return std::unexpected(wasCancelled());
+        const PartedMesh surface = insertPartingLine(work, snap);
+        if (!selfIntersections(surface.mesh).empty()) {
+            refusal = crossesItself();
+            continue;
+        }
+        Result<FilledPart> filled = filledTo(extent, surface, directions, task);
+        refusal = filled ? take(filled->surface) : filled.error();
+        if (refusal)
+            continue;
+        for (int& source : filled->surface.sourceFace)
+            if (source >= 0)
+                source = surface.sourceFace[static_cast<std::size_t>(source)];
+        const double cubed = frame.scale() * frame.scale() * frame.scale();
+        return PartedPart{state, frame, std::move(filled->surface), filled->volume * cubed};
+    }
+    return std::unexpected(*refusal);
+}
+
+/// A parted part with the tetrahedra that were made on taking it.
+Result<PartedSolid> solidOf(Result<PartedPart> part, TetMesh tets) {
+    if (!part)
+        return std::unexpected(part.error());
+    return PartedSolid{std::move(*part), std::move(tets)};
+}
+
 } // namespace
 
 bool planePasses(const IndexedMesh& part, const MoldState& state) {
     const IndexedMesh work = WorkingFrame(part, state).toWork(part);
     return std::any_of(kPartings.begin(), kPartings.end(), [&](const Parting& parting) {
-        const PartedMesh surface = parted(work, parting.reach, parting.snap);
-        return topologyAllowsCasting(surface.mesh, surface.labels);
+        // Whether anything would cross takes longest to tell: only where it matters.
+        const auto passes = [](const PartedMesh& surface) {
+            return topologyAllowsCasting(surface.mesh, surface.labels);
+        };
+        if (parting.reach > 0 &&
+            !passes(insertPartingLine(crossNearPoints(work, parting.reach), parting.snap)))
+            return false;
+        return passes(parted(work, parting.reach, parting.snap));
     });
 }
 
@@ -99,64 +187,26 @@ ObstructedPart obstructionsAt(const IndexedMesh& part, const MoldState& state) {
     return found;
 }
 
+Result<PartedPart> partSurface(const IndexedMesh& part, const MoldState& state, const Task& task) {
+    return partUntil(takeAny, part, state, task);
+}
+
 Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, const Task& task) {
-    const WorkingFrame frame(part, state);
-    const IndexedMesh work = frame.toWork(part);
-    std::optional<Error> refusal;
-    for (const double reach : kReaches)
-        for (const double snap : kSnaps) {
-            if (task.stopped())
-                return failure(ErrorCode::Cancelled, MW_TEXT("design", "The design was cancelled."));
-            PartedMesh surface = parted(work, reach, snap);
-            if (const auto obstructions = findObstructions(surface.mesh, surface.labels, frame);
-                !obstructions.empty()) {
-                refusal = Error{
-                    ErrorCode::Impossible, obstructions.front().message, {}, {obstructions.front().place}};
-                continue;
-            }
-            if (!selfIntersections(surface.mesh).empty()) {
-                refusal = crossesItself();
-                continue;
-            }
-            Result<TetMesh> tets = tetrahedralize(surface.mesh, task);
-            if (tets)
-                return PartedSolid{state, frame, std::move(surface), std::move(*tets)};
-            refusal = tets.error();
-            if (refusal->code == ErrorCode::Cancelled)
-                return std::unexpected(*refusal);
-        }
-    return std::unexpected(*refusal);
+    TetMesh tets;
+    Result<PartedPart> taken = partUntil(takeFilled(tets, task), part, state, task);
+    return solidOf(std::move(taken), std::move(tets));
+}
+
+Result<PartedPart> filledSurface(const IndexedMesh& part, const MoldState& state, FillExtent extent,
+                                 const Task& task) {
+    return fillUntil(takeAny, part, state, extent, task);
 }
 
 Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state, FillExtent extent,
                                 const Task& task) {
-    const WorkingFrame frame(part, state);
-    const IndexedMesh work = frame.toWork(part);
-    const Directions directions = frame.directionsToWork(state.directions);
-    std::optional<Error> refusal;
-    for (const double snap : kSnaps) {
-        const PartedMesh surface = insertPartingLine(work, snap);
-        if (!selfIntersections(surface.mesh).empty()) {
-            refusal = crossesItself();
-            continue;
-        }
-        Result<FilledPart> filled = filledTo(extent, surface, directions, task);
-        Result<TetMesh> tets = filled ? tetrahedralize(filled->surface.mesh, task)
-                                      : Result<TetMesh>(std::unexpected(filled.error()));
-        if (!tets) {
-            refusal = tets.error();
-            if (task.stopped())
-                break;
-            continue;
-        }
-        for (int& source : filled->surface.sourceFace)
-            if (source >= 0)
-                source = surface.sourceFace[static_cast<std::size_t>(source)];
-        const double cubed = frame.scale() * frame.scale() * frame.scale();
-        return PartedSolid{state, frame, std::move(filled->surface), std::move(*tets),
-                           filled->volume * cubed};
-    }
-    return std::unexpected(*refusal);
+    TetMesh tets;
+    Result<PartedPart> taken = fillUntil(takeFilled(tets, task), part, state, extent, task);
+    return solidOf(std::move(taken), std::move(tets));
 }
 
 } // namespace moldwright

@@ -12,17 +12,25 @@
 
 namespace moldwright {
 
-/// The part parted by a plane and filled with tetrahedra: what the deformation starts from.
-struct PartedSolid {
+/// The part parted by a plane, filled where that was asked for.
+struct PartedPart {
     MoldState state; ///< part frame
     WorkingFrame frame;
     PartedMesh surface;      ///< working frame
-    TetMesh tets;            ///< working frame; surface points first
     double filledVolume = 0; ///< mm³ that filling added
 };
 
-/// Parts the part at `state`, snapping less and less until the parted surface is free of self-intersection
-/// and TetGen takes it. Errors: Impossible (the reasons in words, see findObstructions()), Worker, Cancelled.
+/// The same with tetrahedra inside: what the elastic deformation starts from.
+struct PartedSolid : PartedPart {
+    TetMesh tets; ///< working frame; surface points first
+};
+
+/// Parts the part at `state`, snapping less and less until the parted surface is free of self-intersection.
+/// Errors: Impossible (the reasons in words, see findObstructions()), Internal, Cancelled.
+[[nodiscard]] Result<PartedPart> partSurface(const IndexedMesh& part, const MoldState& state,
+                                             const Task& task);
+
+/// The same, until TetGen takes it as well. Errors: also Worker.
 [[nodiscard]] Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state,
                                             const Task& task);
 
@@ -31,7 +39,10 @@ struct PartedSolid {
 enum class FillExtent { Needed, All };
 
 /// The same for the part filled at `state` (see fill_plan.h); the new walls stand along the directions and
-/// still want leaning. surface.sourceFace is −1 on them. Errors: Internal, Worker, Cancelled.
+/// still want leaning. surface.sourceFace is −1 on them. Errors: Internal, Cancelled; of the solid, Worker
+/// too.
+[[nodiscard]] Result<PartedPart> filledSurface(const IndexedMesh& part, const MoldState& state,
+                                               FillExtent extent, const Task& task);
 [[nodiscard]] Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state,
                                               FillExtent extent, const Task& task);
 

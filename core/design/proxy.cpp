@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/proxy.h"
+
+#include "deformation/surface_binding.h"
+#include "exchange/tetrahedralize.h"
+#include "mesh/check.h"
+#include "mesh/decimate.h"
+#include "mesh/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright {
+
+namespace {
+
+constexpr int kProxyFaces = 5000;    ///< away from the parting line
+constexpr int kFacesAtPoint = 4;     ///< more for each point of the parting line, all of which stay
+constexpr double kWorthIt = 1.5;     ///< times a proxy's faces: smaller parts are as fast themselves
+constexpr int kAttempts = 4;         ///< with ever more detail kept where the proxy would cross itself
+constexpr double kLeastHeight = 0.1; ///< share of its height that a point keeps on its own side
+
+/// A face on one side by its points' heights; in the plane by the way it looks.
+std::uint8_t sideOf(const IndexedMesh& mesh, int f) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k)
+        sum += mesh.corner(f, k).z();
+    return (sum != 0 ? sum : doubleAreaVector(mesh, f).z()) > 0 ? 1 : 2;
+}
+
+PartedMesh labelled(IndexedMesh mesh) {
+    PartedMesh surface{std::move(mesh), {}, {}};
+    for (int f = 0; f < surface.mesh.faceCount(); ++f) {
+        surface.labels.push_back(sideOf(surface.mesh, f));
+        surface.sourceFace.push_back(f);
+    }
+    return surface;
+}
+
+/// Keeps the points that were merged into those of crossing faces: there the part is too thin for less
+/// detail.
+void keepDetailAt(const std::vector<std::pair<int, int>>& crossing, const Reduction& reduction,
+                  std::vector<char>& kept) {
+    std::vector<char> thin(static_cast<std::size_t>(reduction.mesh.vertexCount()), 0);
+    for (const auto& pair : crossing)
+        for (const int f : {pair.first, pair.second})
+            for (int k = 0; k < 3; ++k)
+                thin[static_cast<std::size_t>(reduction.mesh.F(f, k))] = 1;
+    for (std::size_t v = 0; v < kept.size(); ++v)
+        kept[v] = kept[v] || thin[static_cast<std::size_t>(reduction.pointNow[v])];
+}
+
+/// Points of the plane stay in it, others on their side.
+void keepSides(Points& X, const Points& rest) {
+    for (Eigen::Index v = 0; v < X.rows(); ++v) {
+        const double z = rest(v, 2);
+        const int side = (z > 0) - (z < 0);
+        X(v, 2) = side * std::max(side * X(v, 2), kLeastHeight * std::abs(z));
+    }
+}
+
+/// Importance of each face of the proxy: the least of its points', each of which has the most that faces of
+/// the part about the points merged into it have.
+std::vector<double> proxyWeights(const PartedPart& part, const Proxy& proxy,
+                                 const std::vector<double>& partWeights) {
+    if (partWeights.empty())
+        return {};
+    const IndexedMesh& coarse = proxy.solid.surface.mesh;
+    std::vector<double> ofPoint(static_cast<std::size_t>(coarse.vertexCount()), 0);
+    for (int f = 0; f < part.surface.mesh.faceCount(); ++f) {
+        const int source = part.surface.sourceFace[static_cast<std::size_t>(f)];
+        const double weight = source < 0 ? 1 : partWeights[static_cast<std::size_t>(source)];
+        for (int k = 0; k < 3; ++k) {
+            const auto v = static_cast<std::size_t>(part.surface.mesh.F(f, k));
+            double& most = ofPoint[static_cast<std::size_t>(proxy.pointNow[v])];
+            most = std::max(most, weight);
+        }
+    }
+    std::vector<double> weights;
+    for (int f = 0; f < coarse.faceCount(); ++f)
+        weights.push_back(std::min({ofPoint[static_cast<std::size_t>(coarse.F(f, 0))],
+                                    ofPoint[static_cast<std::size_t>(coarse.F(f, 1))],
+                                    ofPoint[static_cast<std::size_t>(coarse.F(f, 2))]}));
+    return weights;
+}
+
+} // namespace
+
+std::optional<Proxy> proxyOf(const PartedPart& part, const Task& task) {
+    const IndexedMesh& fine = part.surface.mesh;
+    std::vector<char> kept(static_cast<std::size_t>(fine.vertexCount()));
+    for (int v = 0; v < fine.vertexCount(); ++v)
+        kept[static_cast<std::size_t>(v)] = fine.V(v, 2) == 0;
+    const auto inPlane = static_cast<int>(std::count(kept.begin(), kept.end(), 1));
+    const int faces = kProxyFaces + kFacesAtPoint * inPlane;
+    if (fine.faceCount() < kWorthIt * faces)
+        return std::nullopt;
+    for (int attempt = 0; attempt < kAttempts && !task.stopped(); ++attempt) {
+        Reduction reduction = reduce(fine, faces, kept);
+        const auto crossing = selfIntersections(reduction.mesh);
+        if (!crossing.empty()) {
+            keepDetailAt(crossing, reduction, kept);
+            continue;
+        }
+        Result<TetMesh> tets = tetrahedralize(reduction.mesh, task);
+        if (!tets)
+            return std::nullopt;
+        return Proxy{{{part.state, part.frame, labelled(std::move(reduction.mesh)), 0}, std::move(*tets)},
+                     std::move(reduction.pointNow)};
+    }
+    return std::nullopt;
+}
+
+BentShape bendByProxy(const PartedPart& part, const Proxy& proxy, const ShapeGoal& goal, const Task& task,
+                      const ShapeWatch& watch) {
+    const Points& rest = part.surface.mesh.V;
+    const SurfaceBinding binding(proxy.solid.surface.mesh, rest, proxy.pointNow);
+    const auto follow = [&](const Points& X) {
+        Points carried = binding.carry(X);
+        keepSides(carried, rest);
+        return carried;
+    };
+    ShapeGoal coarse = goal;
+    coarse.faceWeights = proxyWeights(part, proxy, goal.faceWeights);
+    ShapeWatch watchPart;
+    if (watch)
+        watchPart = [&](const char* stage, const LabelledSurface& now) {
+            watch(stage, surfaceAt(part, follow(now.mesh.V)));
+        };
+    const BentShape bent = bend(proxy.solid, coarse, task, watchPart);
+    return {surfaceAt(part, follow(bent.surface.mesh.V)), bent.iterations};
+}
+
+} // namespace moldwright
