@@ -43,21 +43,26 @@ double meanEdge(const IndexedMesh& mesh) {
     return sum / (3 * mesh.faceCount());
 }
 
-PartedMesh filled(const PartedMesh& part, const ShadowGrid& grid, const Boldness& boldness) {
+/// Nothing once the task is stopped.
+PartedMesh filled(const PartedMesh& part, const ShadowGrid& grid, const Boldness& boldness,
+                  const Task& task) {
     const double edge = meanEdge(part.mesh) / grid.step();
     std::array<std::optional<HeightField>, 2> made;
     parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            made[i] = outermostSurface(projectHalf(part, static_cast<int>(i) + 1, grid), boldness.step);
-            if (boldness.tidying > 0)
+            made[i] = outermostSurface(projectHalf(part, static_cast<int>(i) + 1, grid), boldness.step, task);
+            if (boldness.tidying > 0 && !task.stopped())
                 tidy(*made[i], {boldness.tidying * edge, boldness.flatness * edge});
-            makeManifold(*made[i]);
+            if (!task.stopped())
+                makeManifold(*made[i]);
         }
     });
+    if (task.stopped())
+        return {};
     std::array<HeightField, 2> halves = {std::move(*made[0]), std::move(*made[1])};
     if (boldness.matching > 0)
         matchOutlines(halves, boldness.matching * edge);
-    return joinHalves(halves, grid);
+    return task.stopped() ? PartedMesh{} : joinHalves(halves, grid);
 }
 
 /// Per point of the filled mesh the point of the part that stands there, −1 for none.
@@ -100,10 +105,10 @@ bool sound(const PartedMesh& surface, const Directions& directions) {
 Result<FilledPart> fill(const PartedMesh& part, const Directions& directions, const Task& task) {
     const ShadowGrid grid(part.mesh, directions);
     for (const Boldness& boldness : kRungs) {
+        FilledPart result;
+        result.surface = filled(part, grid, boldness, task);
         if (task.stopped())
             return failure(ErrorCode::Cancelled, MW_TEXT("fill", "Filling was cancelled."));
-        FilledPart result;
-        result.surface = filled(part, grid, boldness);
         if (!sound(result.surface, directions))
             continue;
         result.sourceVertex = pointsKept(part, result.surface.mesh, grid);

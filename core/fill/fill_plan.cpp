@@ -149,8 +149,8 @@ void leaveOutWhatCanBe(const ChoiceMesh& choices, std::vector<char>& filled, con
 
 /// Where a surface that was to stay is crossed by one that filling makes, by the hair that tidying takes, its
 /// region is filled as well. Returns whether nothing crosses in the end.
-bool dragAlong(const ChoiceMesh& choices, std::vector<char>& filled) {
-    for (int round = 0; round < kDragRounds; ++round) {
+bool dragAlong(const ChoiceMesh& choices, std::vector<char>& filled, const Task& task) {
+    for (int round = 0; round < kDragRounds && !task.stopped(); ++round) {
         std::vector<int> choiceOf;
         const auto crossings = selfIntersections(surfaceWith(choices, filled, choiceOf).mesh);
         if (crossings.empty())
@@ -198,12 +198,12 @@ std::vector<char> findNeeded(ChoiceMesh& choices, const Directions& directions, 
     const int undivided = choices.regions;
     for (int r = 0; r < undivided && !task.stopped(); ++r)
         if (whole[static_cast<std::size_t>(r)])
-            divideAtNecks(choices, r, directions, kLongest * size);
+            divideAtNecks(choices, r, directions, kLongest * size, task);
     whole.resize(static_cast<std::size_t>(choices.regions), 1);
     numberByVolume(choices, whole, nothing);
     std::vector<char> needed = whole;
     leaveOutWhatCanBe(choices, needed, task);
-    if (!task.stopped() && !(dragAlong(choices, needed) && castable(choices, needed)))
+    if (!task.stopped() && !(dragAlong(choices, needed, task) && castable(choices, needed)))
         needed = whole;
     joinAlike(choices, needed);
     numberByVolume(choices, needed, nothing);

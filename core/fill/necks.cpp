@@ -139,7 +139,8 @@ bool isUp(const Shell& shell) {
 
 } // namespace
 
-void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions, double longest) {
+void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions, double longest,
+                   const Task& task) {
     std::vector<int> open{region};
     const auto separate = [&](int piece) {
         const std::vector<int> shells = separateShells(choices, piece);
@@ -151,7 +152,7 @@ void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions
         separate(region);
         separate(above);
     }
-    while (!open.empty()) {
+    while (!open.empty() && !task.stopped()) {
         const int piece = open.back();
         open.pop_back();
         const Shell shell = shellOf(choices, piece);

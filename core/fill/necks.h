@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "base/task.h"
 #include "fill/choice_mesh.h"
 
 namespace moldwright {
 
 /// Divides a region where it is narrow: first by the parting plane, then by planes along the side's
 /// direction, across its longest extent where least of it is cut, until nothing is longer than `longest` that
-/// can be cut cleanly.
-void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions, double longest);
+/// can be cut cleanly, or the task is stopped.
+void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions, double longest,
+                   const Task& task);
 
 } // namespace moldwright

@@ -151,10 +151,10 @@ void joinNearHeights(HeightField& field, double step) {
 
 } // namespace
 
-HeightField outermostSurface(const ProjectedHalf& half, double step) {
+HeightField outermostSurface(const ProjectedHalf& half, double step, const Task& task) {
     const FaceGrid grid(half);
-    const VisibleEdges edges = findVisibleEdges(half, grid);
-    const Plane plane = triangulate(edges);
+    const VisibleEdges edges = task.stopped() ? VisibleEdges{} : findVisibleEdges(half, grid);
+    const Plane plane = task.stopped() ? Plane{} : triangulate(edges);
     const std::vector<int> seen = facesSeen(plane.triangulation, grid);
     HeightField field(plane.triangulation.points, plane.triangulation.triangles);
     for (const auto f : field.mesh().faces()) {

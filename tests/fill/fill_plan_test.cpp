@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <numbers>
 #include <numeric>
 
@@ -169,6 +170,25 @@ TEST(FillPlan, AnUndercutIsDividedWhereItIsNarrow) {
     EXPECT_GT(least->volume, 0);
     EXPECT_LT(least->volume, 0.7 * plan.filled.volume);
     EXPECT_TRUE(diagnose(least->surface.mesh).selfIntersections.empty());
+}
+
+TEST(FillPlan, WheneverItIsStoppedItSaysSoOrIsDone) {
+    const PartedMesh part = insertPartingLine(standingTorus(0), 0.1);
+    const auto whole = planFill(part, {});
+    ASSERT_TRUE(whole);
+    int cancelled = 0;
+    for (int i = 0; i < 12; ++i) {
+        const Task task;
+        task.setDeadline(std::chrono::steady_clock::now() + std::chrono::milliseconds(20 * i));
+        const auto plan = planFill(part, {}, task);
+        if (!plan) {
+            ++cancelled;
+            EXPECT_EQ(plan.error().code, ErrorCode::Cancelled);
+        } else if (!task.stopped()) {
+            EXPECT_EQ(plan->needed(), whole->needed());
+        }
+    }
+    EXPECT_GT(cancelled, 0);
 }
 
 TEST(FillPlan, IsTheSameForAnyNumberOfThreads) {
