@@ -4,6 +4,7 @@
 #include "castability/topology.h"
 #include "fill/necks.h"
 #include "fill/projected_half.h"
+#include "fill/short_edges.h"
 #include "mesh/check.h"
 #include "mesh/measures.h"
 #include "mesh/opposite_sides.h"
@@ -12,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -22,9 +24,10 @@ namespace moldwright {
 
 namespace {
 
-constexpr int kDragRounds = 8;     ///< in which regions are added that others drag along
-constexpr double kNothing = 1e-12; ///< of the part's volume: regions that fill less only turn edges
-constexpr double kLongest = 0.2;   ///< of the size: how long a region may be that is needed
+constexpr int kDragRounds = 8;              ///< in which regions are added that others drag along
+constexpr double kNothing = 1e-12;          ///< of the part's volume: regions that fill less only turn edges
+constexpr double kShortest = 1e-4;          ///< of the size: of edges that dividing made, what stays
+constexpr std::array kLongest = {0.2, 0.4}; ///< of the size: how long a region may be that is needed
 
 PartedMesh onGrid(const PartedMesh& part, const ShadowGrid& grid) {
     PartedMesh placed = part;
@@ -190,24 +193,40 @@ void numberByVolume(ChoiceMesh& choices, std::vector<char>& needed, double nothi
     needed = std::move(known);
 }
 
-/// Which regions the certificate asks for: first as they hang together, then those divided at their necks.
+/// Divides those of the regions that are marked at their necks and leaves out what can be of them. Returns
+/// whether what is left is a sound surface.
+bool divideAndLeaveOut(ChoiceMesh& choices, std::vector<char>& marked, const Directions& directions,
+                       double longest, double nothing, const Task& task) {
+    const int undivided = choices.regions;
+    for (int r = 0; r < undivided && !task.stopped(); ++r)
+        if (marked[static_cast<std::size_t>(r)])
+            divideAtNecks(choices, r, directions, longest, task);
+    marked.resize(static_cast<std::size_t>(choices.regions), 1);
+    numberByVolume(choices, marked, nothing);
+    leaveOutWhatCanBe(choices, marked, task);
+    if (task.stopped() || !dragAlong(choices, marked, task) || !castable(choices, marked))
+        return false;
+    joinAlike(choices, marked);
+    numberByVolume(choices, marked, nothing);
+    return true;
+}
+
+/// Which regions the certificate asks for: first as they hang together, then those divided.
 std::vector<char> findNeeded(ChoiceMesh& choices, const Directions& directions, double size, double nothing,
                              const Task& task) {
     std::vector<char> whole(static_cast<std::size_t>(choices.regions), 1);
     leaveOutWhatCanBe(choices, whole, task);
-    const int undivided = choices.regions;
-    for (int r = 0; r < undivided && !task.stopped(); ++r)
-        if (whole[static_cast<std::size_t>(r)])
-            divideAtNecks(choices, r, directions, kLongest * size, task);
-    whole.resize(static_cast<std::size_t>(choices.regions), 1);
-    numberByVolume(choices, whole, nothing);
-    std::vector<char> needed = whole;
-    leaveOutWhatCanBe(choices, needed, task);
-    if (!task.stopped() && !(dragAlong(choices, needed, task) && castable(choices, needed)))
-        needed = whole;
-    joinAlike(choices, needed);
-    numberByVolume(choices, needed, nothing);
-    return needed;
+    if (std::ranges::count(whole, 1) == 0)
+        return whole;
+    for (const double longest : kLongest) {
+        ChoiceMesh divided = choices;
+        std::vector<char> needed = whole;
+        if (!divideAndLeaveOut(divided, needed, directions, longest * size, nothing, task))
+            continue;
+        choices = std::move(divided);
+        return needed;
+    }
+    return whole;
 }
 
 std::vector<FillRegion> describe(const ChoiceMesh& choices, const std::vector<char>& needed) {
@@ -272,6 +291,12 @@ void finish(const FillPlan& plan, FilledPart& result) {
     result.volume = volume(mesh) - volume(plan.part.mesh);
 }
 
+bool isSound(const IndexedMesh& mesh) {
+    const MeshDiagnosis found = diagnose(mesh);
+    return found.closed && found.manifold && found.oriented && found.degenerateFaces.empty() &&
+           found.selfIntersections.empty();
+}
+
 } // namespace
 
 std::vector<int> FillPlan::needed() const {
@@ -321,10 +346,14 @@ Result<FilledPart> fillChosen(const FillPlan& plan, const std::vector<int>& chos
     std::vector<int> choiceOf;
     result.surface = surfaceWith(plan.choices, filled, choiceOf);
     finish(plan, result);
-    const MeshDiagnosis found = diagnose(result.surface.mesh);
-    if (found.closed && found.manifold && found.oriented && found.degenerateFaces.empty() &&
-        found.selfIntersections.empty())
-        return result;
+    if (closedManifold(result.surface.mesh.F, result.surface.mesh.vertexCount())) {
+        FilledPart rounder = result;
+        collapseShortEdges(rounder, kShortest * diagonal(plan.part.mesh));
+        if (isSound(rounder.surface.mesh))
+            return rounder;
+        if (isSound(result.surface.mesh))
+            return result;
+    }
     return failure(ErrorCode::Internal,
                    MW_TEXT("fill", "These regions cannot be filled alone: the surface would "
                                    "cross itself. Fill the regions beside them too."));

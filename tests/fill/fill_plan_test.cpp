@@ -140,7 +140,7 @@ TEST(FillPlan, AllRegionsTogetherFillEverything) {
     test::expectSound(*everything, {});
 }
 
-TEST(FillPlan, OnlyWhatAnArchSpansIsNeededOfAnUndercutThatRunsAllRound) {
+TEST(FillPlan, OnlyWhatAnArchSpansIsNeeded) {
     // A ring that stands in a long bar: the bar is undercut along its sides, and the arch over it needs them
     // not.
     const IndexedMesh bar = test::rotated(test::torus(6, 1, 96, 32), Eigen::Vector3d::UnitX(), 0.02);
@@ -166,9 +166,15 @@ TEST(FillPlan, AnUndercutIsDividedWhereItIsNarrow) {
     const auto least = minimalFill(plan);
     ASSERT_TRUE(least);
     EXPECT_TRUE(topologyAllowsCasting(least->surface.mesh, least->surface.labels));
-    // A beam on a foot of its own needs a foot of its own, not a wall below its whole length.
+    // It needs to stand on something, not on a wall below its whole length.
     EXPECT_GT(least->volume, 0);
     EXPECT_LT(least->volume, 0.7 * plan.filled.volume);
+    const IndexedMesh& mesh = least->surface.mesh;
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        for (int k = 0; k < 3; ++k)
+            EXPECT_GT((mesh.corner(f, k) - mesh.corner(f, (k + 1) % 3)).norm(), 1e-5)
+                << "no edge too short to "
+                   "fill with tetrahedra";
     EXPECT_TRUE(diagnose(least->surface.mesh).selfIntersections.empty());
 }
 
