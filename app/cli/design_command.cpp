@@ -150,6 +150,8 @@ void tell(const DesignResult& result, const Session& session) {
                       << figureRoundedDown(result.certificate.worstDraftDegrees, 2) << "° or more.\n";
     else
         session.out() << "Not castable: " << result.certificate.reason << '\n';
+    if (const double filled = result.change.filledVolumeFraction; filled > 0)
+        session.out() << "Filled in: " << readable(100 * filled, 2) << " % of the part's volume.\n";
     session.out() << "Mean change " << readable(100 * result.change.meanDistance, 2)
                   << " % of the diagonal, volume " << readable(100 * result.change.volumeRatio, 3) << " %.\n";
 }

@@ -191,8 +191,9 @@ TEST_F(DesignCommands, DesignFillsWhatNoBendingFrees) {
     const Json json = Json::parse(contentsOf(in("ring/design.json")));
     EXPECT_EQ(json["castable"], true);
     EXPECT_EQ(json["obstructions"].size(), 1U) << "what was filled is still told";
-    EXPECT_GT(json["change"]["filled_volume_fraction"], 0.1);
-    EXPECT_GT(json["change"]["volume_ratio"], 1.1);
+    EXPECT_GT(json["change"]["filled_volume_fraction"], 0.02);
+    EXPECT_NE(run.out.find("Filled in: "), std::string::npos) << run.out;
+    EXPECT_GT(json["change"]["volume_ratio"], 1.02);
     EXPECT_TRUE(std::filesystem::exists(in("ring/mold-half-1.stl")));
 }
 
