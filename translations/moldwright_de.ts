@@ -572,7 +572,7 @@
     </message>
     <message>
         <source>%1 to level</source>
-        <translation>%1 zur Waagrechten</translation>
+        <translation>%1 geneigt</translation>
     </message>
     <message>
         <source>%1, closed</source>
@@ -930,7 +930,7 @@
     </message>
     <message>
         <source>Elastic, then finish</source>
-        <translation>Elastisch, dann fertig</translation>
+        <translation>Elastisch</translation>
     </message>
     <message>
         <source>As in the paper</source>
@@ -1189,7 +1189,7 @@
     </message>
     <message>
         <source>Curled horns, an eye worth keeping</source>
-        <translation>Gewundene Hörner, ein Auge, das bleiben soll</translation>
+        <translation>Gewundene Hörner, wacher Blick</translation>
     </message>
     <message>
         <source>Sitting rabbit</source>
@@ -1221,7 +1221,7 @@
     </message>
     <message>
         <source>Keep the curve of the tail fin</source>
-        <translation>Der Schwung der Schwanzflosse soll bleiben</translation>
+        <translation>Schwung in der Schwanzflosse</translation>
     </message>
     <message>
         <source>Bent beam</source>
@@ -1976,6 +1976,10 @@
     <message>
         <source>&lt;b&gt;Drag&lt;/b&gt; a grip of the plane or the tip of an arrow, with &lt;b&gt;Ctrl&lt;/b&gt; in whole steps. %1</source>
         <translation>Einen Griff der Ebene oder eine Pfeilspitze &lt;b&gt;ziehen&lt;/b&gt;, mit &lt;b&gt;Strg&lt;/b&gt; in ganzen Schritten. %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>

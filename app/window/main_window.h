@@ -84,6 +84,7 @@ private:
     void askTurn();
     void showKeys();
     void showAbout();
+    void showProblem(const QString& headline, const QString& text);
     void walkZones(int way);
     void useThemeChoice(ThemeChoice choice);
     void escape();

@@ -186,10 +186,7 @@ void MainWindow::connectBench() {
         if (m_bench.project().part)
             m_banner->showMessage(Standing::Failing, headline, text);
         else
-            QMessageBox(QMessageBox::NoIcon, tr("Moldwright"),
-                        u"<b>%1</b><br>%2"_s.arg(headline.toHtmlEscaped(), text.toHtmlEscaped()),
-                        QMessageBox::Close, this)
-                .exec();
+            showProblem(headline, text);
     });
     connect(&m_bench, &Workbench::advised, this, &MainWindow::advise);
     connect(m_banner, &Banner::actionChosen, this, [this] {
@@ -312,6 +309,17 @@ void MainWindow::showAbout() {
         tr("Takes any closed mesh to a castable shape and a proved two-piece mold, after Stein et al. 2019. "
            "Free software under the GNU AGPL 3 or later. Built on Qt, VTK, CGAL, OpenMesh, Eigen, TetGen and "
            "oneTBB."));
+    box.addButton(tr("Close"), QMessageBox::RejectRole);
+    box.exec();
+}
+
+void MainWindow::showProblem(const QString& headline, const QString& text) {
+    QMessageBox box(this);
+    box.setWindowTitle(tr("Moldwright"));
+    box.setIconPixmap(standingIcon(Standing::Failing).pixmap(32, 32));
+    box.setText(u"<b>%1</b>"_s.arg(headline.toHtmlEscaped()));
+    box.setInformativeText(text);
+    box.addButton(tr("Close"), QMessageBox::RejectRole);
     box.exec();
 }
 

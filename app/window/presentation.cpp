@@ -172,7 +172,8 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
             .parent = deformRow,
             .iconName = u"result"_s,
             .name = Words::tr("Cast"),
-            .value = checkState(bench).words,
+            .value = bench.castIsProved() ? draftText(bench.analysis()->certificate->worstDraftDegrees)
+                                          : checkState(bench).words,
         });
     }
     const StepState mold = moldState(bench);

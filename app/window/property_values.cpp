@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What the rows of the property pages show, and what typing into them does.
 #include "mesh/measures.h"
+#include "panels/progress_plots.h"
 #include "project/edits.h"
 #include "project/placing.h"
 #include "scene/direction_handle.h"
@@ -43,7 +44,7 @@ void fillMeasures(PropertyPanel& panel, const Workbench& bench) {
         panel.setValue(u"below"_s,
                        measured(u"%1 cm²"_s.arg(analysis->violatingArea / 100, 0, 'f', 1), u"0"_s));
         panel.setMissesGoal(u"below"_s, analysis->violatingArea > 0);
-        panel.setValue(u"energy"_s, measured(QString::number(analysis->energy, 'g', 3), u"0"_s));
+        panel.setValue(u"energy"_s, measured(scientificText(analysis->energy), u"0"_s));
     }
     const MeshFigures part = bench.figures(project.part);
     const bool partPageShown = panel.pageId() == u"part"_s;

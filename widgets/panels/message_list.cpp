@@ -14,9 +14,11 @@ namespace {
 constexpr int textLeft = 72;
 constexpr int linkWidth = 84;
 
-/// Room for a message's text in a list this wide.
-int textWidth(int listWidth, const SessionMessage& message) {
-    return std::max(80, listWidth - textLeft - 12 - (message.place.isEmpty() ? 0 : linkWidth));
+/// Room for a message's text: the same with and without a scroll bar, since rows are measured before one
+/// comes.
+int textWidth(const QListView& list, const SessionMessage& message) {
+    const int bar = list.style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, &list);
+    return std::max(80, list.width() - bar - textLeft - 12 - (message.place.isEmpty() ? 0 : linkWidth));
 }
 
 /// Icon, time, text over as many lines as it needs, and the link at the right.
@@ -27,8 +29,7 @@ public:
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
                                  const QModelIndex& index) const override {
-        const auto* list = static_cast<const QListView*>(option.widget);
-        const int width = textWidth(list->viewport()->width(), m_model->at(index.row()));
+        const int width = textWidth(listOf(option), m_model->at(index.row()));
         const QRect box = option.fontMetrics.boundingRect(0, 0, width, 1000, Qt::TextWordWrap,
                                                           m_model->at(index.row()).text);
         return {width, std::max(24, box.height() + 8)};
@@ -49,7 +50,7 @@ public:
                           message.time.toString(QStringLiteral("HH:mm")));
         painter->setPen(palette.color(QPalette::Text));
         painter->drawText(
-            QRect(r.left() + textLeft, r.top() + 4, textWidth(r.width(), message), r.height() - 8),
+            QRect(r.left() + textLeft, r.top() + 4, textWidth(listOf(option), message), r.height() - 8),
             Qt::TextWordWrap, message.text);
         if (!message.place.isEmpty()) {
             painter->setPen(palette.color(QPalette::Link));
@@ -59,6 +60,10 @@ public:
     }
 
 private:
+    static const QListView& listOf(const QStyleOptionViewItem& option) {
+        return *static_cast<const QListView*>(option.widget);
+    }
+
     MessageModel* m_model;
 };
 

@@ -22,6 +22,14 @@ QString signedNumber(double value, int decimals) {
     return QString::number(value, 'f', decimals).replace(u'-', QChar(0x2212));
 }
 
+QString powerOfTen(long exponent) {
+    QString power = QString::number(exponent);
+    const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    for (int digit = 0; digit < 10; ++digit)
+        power.replace(QChar(u'0' + digit), digits[digit]);
+    return QStringLiteral("10") + power.replace(u'-', u'⁻');
+}
+
 /// A step of 1, 2 or 5 times a power of ten that cuts `span` into about `parts`.
 double niceStep(double span, int parts) {
     const double raw = std::max(span / parts, 1e-12);
@@ -33,6 +41,11 @@ double niceStep(double span, int parts) {
 }
 
 } // namespace
+
+QString scientificText(double value) {
+    const QStringList parts = QString::number(value, 'e', 1).split(u'e');
+    return value == 0 ? QStringLiteral("0") : parts[0] + u'·' + powerOfTen(parts[1].toLong());
+}
 
 struct ProgressPlots::Plot {
     QString title;
@@ -48,11 +61,7 @@ struct ProgressPlots::Plot {
     [[nodiscard]] QString label(double height) const {
         if (!logarithmic)
             return signedNumber(height, std::abs(height - std::round(height)) > 0.01 ? 1 : 0) + suffix;
-        QString power = QString::number(std::lround(height));
-        const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-        for (int digit = 0; digit < 10; ++digit)
-            power.replace(QChar(u'0' + digit), digits[digit]);
-        return QStringLiteral("10") + power.replace(u'-', u'⁻');
+        return powerOfTen(std::lround(height));
     }
 };
 
@@ -80,7 +89,7 @@ void ProgressPlots::setRequiredDraft(double degrees) {
 std::vector<ProgressPlots::Plot> ProgressPlots::plots() const {
     const ProgressPoint& last = m_points.back();
     std::vector<Plot> all(3);
-    all[0] = {tr("Energy"), QString::number(last.energy, 'g', 3), true, std::nullopt, {}, {}};
+    all[0] = {tr("Energy"), scientificText(last.energy), true, std::nullopt, {}, {}};
     all[1] = {tr("Worst draft"),
               signedNumber(std::floor(last.worstDraftDegrees * 10) / 10, 1) + QStringLiteral("°"),
               false,
@@ -123,7 +132,9 @@ void ProgressPlots::paintPlot(QPainter& painter, const Plot& plot, const QRect& 
     painter.setFont(font);
     painter.setPen(palette.color(QPalette::Text));
     const QRect head(box.left() + 10, box.top(), box.width() - 22, headHeight);
-    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, plot.title);
+    const int room = head.width() - painter.fontMetrics().horizontalAdvance(plot.now) - 8;
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(plot.title, Qt::ElideRight, room));
     painter.setPen(palette.color(QPalette::Link));
     painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, plot.now);
     font.setBold(false);

@@ -15,6 +15,9 @@ struct ProgressPoint {
     double violatingAreaFraction = 0; ///< in [0, 1]
 };
 
+/// A small number as powers of ten: "9.3·10⁻⁵".
+[[nodiscard]] QString scientificText(double value);
+
 /// Three small plots over the steps of a run: energy (logarithmic), worst draft, area below the draft; the
 /// goal dashed green.
 class ProgressPlots : public QWidget {

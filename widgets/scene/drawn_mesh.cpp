@@ -25,11 +25,12 @@ vtkSmartPointer<vtkFloatArray> emptyRows(std::size_t rows) {
 }
 
 vtkSmartPointer<vtkCellArray> triangles(const std::vector<int>& corners) {
-    vtkNew<vtkTypeInt32Array> starts;
-    starts->SetNumberOfValues(static_cast<vtkIdType>(corners.size() / 3 + 1));
-    for (vtkIdType f = 0; f < starts->GetNumberOfValues(); ++f)
+    const auto faceCount = static_cast<vtkIdType>(corners.size()) / 3;
+    const vtkNew<vtkTypeInt32Array> starts;
+    starts->SetNumberOfValues(faceCount + 1);
+    for (vtkIdType f = 0; f <= faceCount; ++f)
         starts->SetValue(f, static_cast<int>(3 * f));
-    vtkNew<vtkTypeInt32Array> ends;
+    const vtkNew<vtkTypeInt32Array> ends;
     ends->SetNumberOfValues(static_cast<vtkIdType>(corners.size()));
     std::ranges::copy(corners, ends->GetPointer(0));
     auto cells = vtkSmartPointer<vtkCellArray>::New();

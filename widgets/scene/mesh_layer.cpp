@@ -130,7 +130,7 @@ void MeshLayer::setPose(const Eigen::Isometry3d& pose) {
 }
 
 void MeshLayer::applyLook() {
-    vtkNew<vtkMatrix4x4> pose;
+    const vtkNew<vtkMatrix4x4> pose;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
             pose->SetElement(row, column, m_pose.matrix()(row, column));

@@ -3,11 +3,6 @@
 
 #include "scene/orientation_cube.h"
 
-#include <vtkActor2D.h>
-#include <vtkNew.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
-#include <vtkRegularPolygonSource.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -18,19 +13,6 @@ namespace moldwright::scene {
 namespace {
 
 constexpr double edge = 12; ///< from the view's border, logical pixels
-
-struct Disc {
-    vtkNew<vtkRegularPolygonSource> circle;
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    vtkNew<vtkActor2D> actor;
-
-    Disc() {
-        circle->SetNumberOfSides(32);
-        mapper->SetInputConnection(circle->GetOutputPort());
-        actor->SetMapper(mapper);
-        actor->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
-    }
-};
 
 struct Spot {
     double left;
@@ -45,25 +27,6 @@ struct Spot {
 };
 
 } // namespace
-
-/// A disc with a white ring.
-struct Overlay::Grip {
-    Disc ring;
-    Disc face;
-
-    void show(bool shown, double radius, double rim, Rgb colour) {
-        ring.actor->SetVisibility(shown);
-        face.actor->SetVisibility(shown);
-        ring.circle->SetRadius(radius);
-        face.circle->SetRadius(radius - rim);
-        ring.actor->GetProperty()->SetColor(Rgb::hex(0xFFFFFF).unit().data());
-        face.actor->GetProperty()->SetColor(colour.unit().data());
-    }
-    void moveTo(double x, double y) {
-        ring.actor->SetPosition(x, y);
-        face.actor->SetPosition(x, y);
-    }
-};
 
 Overlay::Overlay() = default;
 
@@ -107,7 +70,7 @@ void Overlay::setState(const PanelContent& content) {
 
 void Overlay::setChips(const std::vector<Chip>& chips) {
     while (m_chipPanels.size() < chips.size()) {
-        m_marks.push_back(addGrip());
+        m_marks.push_back(std::make_unique<GripDisc>(m_renderer));
         m_chipPanels.push_back(std::make_unique<OverlayPanel>());
         m_chipPanels.back()->addTo(m_renderer);
     }
@@ -128,13 +91,6 @@ void Overlay::showMarks() {
     }
 }
 
-std::unique_ptr<Overlay::Grip> Overlay::addGrip() {
-    auto grip = std::make_unique<Grip>();
-    m_renderer->AddViewProp(grip->ring.actor);
-    m_renderer->AddViewProp(grip->face.actor);
-    return grip;
-}
-
 int Overlay::markAt(const Camera& camera, ViewSize view, double x, double y, double reach) const {
     for (std::size_t i = 0; i < m_chips.size(); ++i)
         if (m_chips[i].mark &&
@@ -147,7 +103,7 @@ void Overlay::setGrips(const std::vector<Eigen::Vector3d>& places, int held) {
     m_gripPlaces = places;
     m_heldGrip = held;
     while (m_grips.size() < places.size())
-        m_grips.push_back(addGrip());
+        m_grips.push_back(std::make_unique<GripDisc>(m_renderer));
     for (std::size_t i = 0; i < m_grips.size(); ++i) {
         const bool isHeld = static_cast<int>(i) == held;
         m_grips[i]->show(i < places.size(), (isHeld ? 7.5 : 6) * m_scale, 2 * m_scale,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/camera.h"
+#include "scene/grip_disc.h"
 #include "scene/overlay_panel.h"
 
 #include <Eigen/Core>
@@ -46,8 +47,6 @@ public:
     void arrange(const Camera& camera, ViewSize view);
 
 private:
-    struct Grip;
-    [[nodiscard]] std::unique_ptr<Grip> addGrip();
     void showMarks();
     void lay(OverlayPanel& panel, const PanelContent& content);
 
@@ -62,8 +61,8 @@ private:
     std::vector<std::unique_ptr<OverlayPanel>> m_chipPanels;
     std::vector<Eigen::Vector3d> m_gripPlaces;
     int m_heldGrip = -1;
-    std::vector<std::unique_ptr<Grip>> m_grips;
-    std::vector<std::unique_ptr<Grip>> m_marks; ///< one for each chip, shown where it has a mark
+    std::vector<std::unique_ptr<GripDisc>> m_grips;
+    std::vector<std::unique_ptr<GripDisc>> m_marks; ///< one for each chip, shown where it has a mark
 };
 
 } // namespace moldwright::scene

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "scene/grip_disc.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright::scene {
+
+namespace {
+
+constexpr Rgb white = Rgb::hex(0xFFFFFF);
+
+/// How much of a pixel lies inside, `depth` pixels within the edge.
+double coverage(double depth) {
+    return std::clamp(depth + 0.5, 0.0, 1.0);
+}
+
+} // namespace
+
+GripDisc::GripDisc(vtkRenderer* renderer) {
+    const vtkNew<vtkFloatArray> onPicture;
+    onPicture->SetNumberOfComponents(2);
+    for (const auto& [s, t] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+        onPicture->InsertNextTuple2(s, t);
+    const vtkNew<vtkCellArray> square;
+    square->InsertNextCell({0, 1, 2, 3});
+    m_square->SetPoints(m_corners);
+    m_square->SetPolys(square);
+    m_square->GetPointData()->SetTCoords(onPicture);
+    const vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(m_square);
+    m_texture->SetInputData(m_image);
+    m_texture->InterpolateOn();
+    m_actor->SetMapper(mapper);
+    m_actor->SetTexture(m_texture);
+    m_actor->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
+    renderer->AddViewProp(m_actor);
+}
+
+void GripDisc::show(bool shown, double radius, double rim, Rgb colour) {
+    m_actor->SetVisibility(shown);
+    if (radius == m_radius && rim == m_rim && colour == m_colour)
+        return;
+    m_radius = radius;
+    m_rim = rim;
+    m_colour = colour;
+    paint();
+}
+
+void GripDisc::paint() {
+    const int half = static_cast<int>(std::ceil(m_radius)) + 1;
+    const int side = 2 * half;
+    m_image->SetDimensions(side, side, 1);
+    m_image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const double away = std::hypot(x + 0.5 - half, y + 0.5 - half);
+            const double face = coverage(m_radius - m_rim - away);
+            const auto mixed = [&](std::uint8_t inside, std::uint8_t rim) {
+                return static_cast<unsigned char>(std::lround(face * inside + (1 - face) * rim));
+            };
+            auto* pixel = static_cast<unsigned char*>(m_image->GetScalarPointer(x, y, 0));
+            pixel[0] = mixed(m_colour.r, white.r);
+            pixel[1] = mixed(m_colour.g, white.g);
+            pixel[2] = mixed(m_colour.b, white.b);
+            pixel[3] = static_cast<unsigned char>(std::lround(255 * coverage(m_radius - away)));
+        }
+    m_image->Modified();
+    m_corners->Reset();
+    for (const auto& [s, t] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}})
+        m_corners->InsertNextPoint(s, t, 0);
+    m_corners->Modified();
+    m_square->Modified();
+}
+
+} // namespace moldwright::scene
