@@ -71,9 +71,10 @@ std::vector<SidePiece> sidePieces(const IndexedMesh& mesh, const SideLabels& lab
             for (int k = 0; k < 3; ++k) {
                 int& counted = countedFor[static_cast<std::size_t>(mesh.F(f, k))];
                 points += std::exchange(counted, seed) == seed ? 0 : 1;
-                const int across = opposite.of[static_cast<std::size_t>(3 * f + k)] / 3;
-                if (opposite.of[static_cast<std::size_t>(3 * f + k)] < 0 ||
-                    labels[static_cast<std::size_t>(across)] != piece.side)
+                const int side = 3 * f + k;
+                const int back = opposite.of[static_cast<std::size_t>(side)];
+                const int across = back / 3;
+                if (back < 0 || labels[static_cast<std::size_t>(across)] != piece.side)
                     boundary.push_back({mesh.F(f, k), mesh.F(f, (k + 1) % 3)});
                 else if (!std::exchange(seen[static_cast<std::size_t>(across)], 1))
                     piece.faces.push_back(across);

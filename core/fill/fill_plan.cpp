@@ -91,6 +91,7 @@ void joinIslands(ChoiceMesh& choices, const Directions& directions) {
             groups.unite(static_cast<int>(r), above);
     }
     std::vector<int> number;
+    number.reserve(static_cast<std::size_t>(choices.regions));
     for (int r = 0; r < choices.regions; ++r)
         number.push_back(groups.rootOf(r));
     renumber(choices, number);
@@ -176,6 +177,7 @@ void joinAlike(ChoiceMesh& choices, std::vector<char>& needed) {
             needed[static_cast<std::size_t>(face.made)] == needed[static_cast<std::size_t>(face.covered)])
             groups.unite(face.made, face.covered);
     std::vector<int> number;
+    number.reserve(static_cast<std::size_t>(choices.regions));
     for (int r = 0; r < choices.regions; ++r)
         number.push_back(groups.rootOf(r));
     renumber(choices, number);

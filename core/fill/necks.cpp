@@ -124,6 +124,7 @@ std::vector<double> placesToCut(const Shell& shell, const Extent& extent) {
     std::stable_sort(weighed.begin(), weighed.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<double> places;
+    places.reserve(kAttempts);
     for (int i = 0; i < kAttempts; ++i)
         places.push_back(weighed[static_cast<std::size_t>(i)].second);
     return places;

@@ -68,8 +68,8 @@ bool closedManifold(const Triangles& F, int points) {
             return false;
         fan = 1;
         // Each side begins at the point; the next one is the opposite of the side that ends there.
-        for (int s = start; !turned[static_cast<std::size_t>(s)];
-             s = opposite.of[static_cast<std::size_t>(s - s % 3 + (s + 2) % 3)])
+        for (int s = start, ending = 0; !turned[static_cast<std::size_t>(s)];
+             ending = s - s % 3 + (s + 2) % 3, s = opposite.of[static_cast<std::size_t>(ending)])
             turned[static_cast<std::size_t>(s)] = 1;
     }
     return true;
