@@ -15,7 +15,6 @@ namespace {
 constexpr double kAimHigher = 1.0;  ///< degrees above the required draft
 constexpr double kEnough = 0.2;     ///< degrees above the required draft that end the finish
 constexpr double kAreaFloor = 0.01; ///< of the mean face area: slivers must count too
-constexpr double kFew = 0.005;      ///< of the faces: so few below the draft are stuck, not on their way
 constexpr double kMany = 0.02;      ///< of the faces: more are worked on all together
 constexpr int kRings = 6;           ///< of faces about those that need work
 constexpr int kIterations = 100;
@@ -76,20 +75,21 @@ void relax(LabelledSurface& surface, const StageWeights& weights, const FinishGo
         surface.mesh.V.row(region.points[i]) = X.row(static_cast<Eigen::Index>(i));
 }
 
-} // namespace
+/// What a finish does first: clean-up brings more to an end but costs detail wherever faces miss their draft.
+enum class First { Motion, CleanUp };
 
-bool finishSurface(LabelledSurface& surface, const FinishGoal& goal, const Task& task,
-                   const std::function<void(const LabelledSurface&)>& watch) {
+/// Rounds of motion and clean-up until every face has its draft or what is left is stuck.
+bool runRounds(LabelledSurface& surface, First first, const FinishGoal& goal, const Task& task,
+               const std::function<void(const LabelledSurface&)>& watch) {
     StageWeights weights;
-    weights.elastic = 1e-2;
+    weights.elastic = first == First::Motion ? 1e-2 : 1e-3;
     weights.tau = std::sin(radians(goal.draftDegrees + kAimHigher));
     weights.barrier = 0.01;
     weights.iterations = kIterations;
     weights.relativeDecrease = 1e-9;
     const CleanUpGoal mending{goal.directions, std::sin(radians(goal.draftDegrees + kEnough)),
                               kThinInSteps * goal.resolution, kThinInSteps * goal.resolution};
-    // Clean-up costs detail: it comes first only where motion alone has done its part.
-    if (violations(surface, goal.directions, goal.draftDegrees) < kFew * surface.mesh.faceCount())
+    if (first == First::CleanUp)
         cleanUp(surface, mending);
     std::vector<int> history;
     int rings = kRings;
@@ -110,6 +110,20 @@ bool finishSurface(LabelledSurface& surface, const FinishGoal& goal, const Task&
             break;
     }
     return violations(surface, goal.directions, goal.draftDegrees) == 0;
+}
+
+} // namespace
+
+bool finishSurface(LabelledSurface& surface, const FinishGoal& goal, const Task& task,
+                   const std::function<void(const LabelledSurface&)>& watch) {
+    LabelledSurface other = surface;
+    if (runRounds(surface, goal.keepDetail ? First::Motion : First::CleanUp, goal, task.part(0, 0.5), watch))
+        return true;
+    if (task.stopped() ||
+        !runRounds(other, goal.keepDetail ? First::CleanUp : First::Motion, goal, task.part(0.5, 1), watch))
+        return false;
+    surface = std::move(other);
+    return true;
 }
 
 } // namespace moldwright

@@ -17,13 +17,15 @@ Eigen::VectorXd flatten(const Positions& X) {
     return Eigen::Map<const Eigen::VectorXd>(X.data(), X.size());
 }
 
-/// +1 or −1 for points whose faces are all on that side, 0 for points of the parting line and inner points.
+/// +1 or −1 for points whose faces are all on that side, 0 for points of the parting line, those that do not
+/// move, and inner points.
 std::vector<signed char> sidesOfPoints(const LabelledBody& body) {
     std::vector<signed char> side(static_cast<std::size_t>(body.shape.V.rows()), 0);
     for (Eigen::Index f = 0; f < body.shape.F.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
             const int v = body.shape.F(f, k);
-            if (!body.held[static_cast<std::size_t>(v)])
+            const bool moves = body.fixed.empty() || !body.fixed[static_cast<std::size_t>(v)];
+            if (moves && !body.held[static_cast<std::size_t>(v)])
                 side[static_cast<std::size_t>(v)] = body.labels[static_cast<std::size_t>(f)] == 1 ? 1 : -1;
         }
     return side;

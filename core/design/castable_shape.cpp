@@ -109,11 +109,14 @@ BentShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task
     return {surfaceOf(solid, X), problem.iterations()};
 }
 
-bool finish(LabelledSurface& surface, const PartedPart& part, const ShapeGoal& goal, double resolution,
+bool finish(BentShape& bent, const PartedPart& part, const ShapeGoal& goal, double resolution,
             const Task& task, const ShapeWatch& watch) {
-    const FinishGoal wanted{part.frame.directionsToWork(part.state.directions), goal.draftDegrees,
-                            resolution / part.frame.scale(), 10};
-    return finishSurface(surface, wanted, task, [&](const LabelledSurface& now) {
+    FinishGoal wanted;
+    wanted.directions = part.frame.directionsToWork(part.state.directions);
+    wanted.draftDegrees = goal.draftDegrees;
+    wanted.resolution = resolution / part.frame.scale();
+    wanted.keepDetail = bent.followed;
+    return finishSurface(bent.surface, wanted, task, [&](const LabelledSurface& now) {
         if (watch)
             watch("finish", now);
     });

@@ -24,6 +24,7 @@ using ShapeWatch = std::function<void(const char* stage, const LabelledSurface&)
 struct BentShape {
     LabelledSurface surface;
     int iterations = 0;
+    bool followed = false; ///< its surface followed a stand-in's
 };
 
 /// The surface of a part with its parting line inserted, its points at X (n×3, working frame).
@@ -40,7 +41,7 @@ struct BentShape {
 
 /// The labelled finish: brings a bent surface to its draft. `resolution`: rounding step of the coordinates to
 /// be written, mm; faces that it could spoil are cleaned away. Returns whether every face has its draft.
-[[nodiscard]] bool finish(LabelledSurface& surface, const PartedPart& part, const ShapeGoal& goal,
-                          double resolution, const Task& task, const ShapeWatch& watch);
+[[nodiscard]] bool finish(BentShape& bent, const PartedPart& part, const ShapeGoal& goal, double resolution,
+                          const Task& task, const ShapeWatch& watch);
 
 } // namespace moldwright

@@ -46,6 +46,10 @@ double limbsLost(const DesignResult& result) {
     return lost;
 }
 
+bool goodEnough(const DesignResult& result) {
+    return result.castable && limbsLost(result) == 0;
+}
+
 /// Castable before not castable; then the fewer limbs lost, or the less left undone.
 bool better(const DesignResult& a, const DesignResult& b) {
     if (a.castable != b.castable)
@@ -106,15 +110,15 @@ Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& ben
     result.localGlobalIterations = bent.iterations;
     double resolution = floatStep(*request.part);
     for (int attempt = 0; attempt < kRoundingAttempts; ++attempt, resolution *= 4) {
-        LabelledSurface surface = bent.surface;
+        BentShape finished = bent;
         const bool reached = [&] {
             const Stopwatch watch(run.seconds(), "postprocess");
-            return finish(surface, part, goal, resolution, task, frameWatch(part, run));
+            return finish(finished, part, goal, resolution, task, frameWatch(part, run));
         }();
         result.cutShort = run.stopped();
         if (result.cutShort && !request.keepUnfinished)
             return DesignRun::cancelled();
-        takeCast(result, part, surface, run);
+        takeCast(result, part, finished.surface, run);
         if (result.castable || !reached || result.cutShort)
             break;
     }
@@ -194,12 +198,12 @@ struct Tries {
             lastError = result.error();
             return;
         }
-        if (result->bentByProxy && !result->castable && attempt.shape->faceCount() <= kFacesBentWhole)
+        if (result->bentByProxy && !goodEnough(*result) && attempt.shape->faceCount() <= kFacesBentWhole)
             again.push_back(attempt);
         if (!best || better(*result, *best))
             best = std::move(*result);
     }
-    [[nodiscard]] bool good() const { return best && best->castable && limbsLost(*best) == 0; }
+    [[nodiscard]] bool good() const { return best && goodEnough(*best); }
     [[nodiscard]] bool castable() const { return best && best->castable; }
     /// Castable, but only by giving up a limb, or not castable at all.
     [[nodiscard]] bool wantsFilling() const {

@@ -128,7 +128,7 @@ BentShape bendByProxy(const PartedPart& part, const Proxy& proxy, const ShapeGoa
             watch(stage, surfaceAt(part, follow(now.mesh.V)));
         };
     const BentShape bent = bend(proxy.solid, coarse, task, watchPart);
-    return {surfaceAt(part, follow(bent.surface.mesh.V)), bent.iterations};
+    return {surfaceAt(part, follow(bent.surface.mesh.V)), bent.iterations, true};
 }
 
 } // namespace moldwright

@@ -82,7 +82,8 @@ TEST(Proxy, BringsThePartNearItsDraftOnTheRightSides) {
     const auto curves = partingCurves(bent.surface.mesh, bent.surface.labels);
     ASSERT_TRUE(curves);
     EXPECT_TRUE(nestingAlong(bent.surface.mesh.V, *curves, Eigen::Vector3d::UnitZ()).simple);
-    LabelledSurface finished = bent.surface;
+    BentShape finished = bent;
     EXPECT_TRUE(finish(finished, part(), goal, 1e-7, {}, {}));
-    EXPECT_GT(finished.mesh.faceCount(), part().surface.mesh.faceCount() * 95 / 100) << "detail is kept";
+    EXPECT_GT(finished.surface.mesh.faceCount(), part().surface.mesh.faceCount() * 95 / 100)
+        << "detail is kept";
 }
