@@ -117,8 +117,8 @@ IndexedMesh triangulated(const PolygonSoup& soup) {
     mesh.V.resize(static_cast<Eigen::Index>(soup.points.size()), 3);
     for (std::size_t v = 0; v < soup.points.size(); ++v)
         mesh.V.row(static_cast<Eigen::Index>(v)) = soup.points[v].transpose();
-    // A polygon of n corners has n − 2 triangles.
-    mesh.F.resize(static_cast<Eigen::Index>(soup.corners.size()) - 2L * soup.polygonCount(), 3);
+    // A polygon of n corners has n − 2 triangles; corners of one that was never ended make none.
+    mesh.F.resize(soup.firstCorner.back() - 2L * soup.polygonCount(), 3);
     Eigen::Index f = 0;
     for (int p = 0; p < soup.polygonCount(); ++p) {
         const std::span<const int> ring = soup.polygon(p);

@@ -101,7 +101,9 @@ private:
     }
 
     void addCorner(std::string_view line) {
-        if (m_builder.addPoint(line, where()))
+        if (!m_inFace)
+            refuseUnfinished();
+        else if (m_builder.addPoint(line, where()))
             m_builder.addCorner(m_builder.pointCount() - 1, where());
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "exchange/mesh_file.h"
 
+#include "exchange/mesh_readers.h"
 #include "support/folders.h"
 #include "support/shapes.h"
 
@@ -62,6 +63,15 @@ TEST(MeshFile, AMissingFileIsNamed) {
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::BadInput);
     EXPECT_EQ(read.error().english(), "There is no file /nowhere/part.stl.");
+}
+
+TEST(MeshFile, AVertexOutsideAnyFacetIsRefused) {
+    const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                              "endloop\nendfacet\n";
+    const Result<ReadMesh> read =
+        readMeshBytes("solid s\n" + facet + "vertex 5 5 5\n" + facet + "endsolid\n", "s.stl");
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().english().find("line 9"), std::string::npos) << read.error().english();
 }
 
 TEST(MeshFile, SidesAreWrittenBesideTheFaces) {

@@ -34,6 +34,12 @@ Eigen::Vector3d areaOf(const std::vector<Eigen::Vector3d>& ring) {
 
 } // namespace
 
+TEST(PolygonSoup, CornersOfAPolygonThatNeverEndedMakeNoFaces) {
+    PolygonSoup soup = onePolygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    soup.corners.insert(soup.corners.end(), {0, 1, 2, 1});
+    EXPECT_EQ(triangulated(soup).faceCount(), 1);
+}
+
 TEST(PolygonSoup, TrianglesStayAsTheyAre) {
     const IndexedMesh mesh = triangulated(onePolygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     ASSERT_EQ(mesh.faceCount(), 1);
