@@ -21,11 +21,39 @@ void widen(const Triangles& F, std::vector<char>& faces, Eigen::Index points) {
                 faces[static_cast<std::size_t>(f)] = 1;
 }
 
+/// Points of faces that are not marked.
+std::vector<char> pointsBeyond(const IndexedMesh& mesh, const std::vector<char>& marked) {
+    std::vector<char> beyond(static_cast<std::size_t>(mesh.vertexCount()), 0);
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        for (int k = 0; k < 3 && !marked[static_cast<std::size_t>(f)]; ++k)
+            beyond[static_cast<std::size_t>(mesh.F(f, k))] = 1;
+    return beyond;
+}
+
+/// Gives the region's points their places, and says which of them may move how.
+void takePoints(FinishRegion& region, const Points& V, const std::vector<char>& beyond) {
+    LabelledBody& body = region.body;
+    body.shape.V.resize(static_cast<Eigen::Index>(region.points.size()), 3);
+    for (std::size_t i = 0; i < region.points.size(); ++i) {
+        const int v = region.points[i];
+        body.shape.V.row(static_cast<Eigen::Index>(i)) = V.row(v);
+        body.fixed.push_back(beyond[static_cast<std::size_t>(v)]);
+        // A face that was laid in the plane (a flat back) stays there, like the line.
+        body.held.push_back(V(v, 2) == 0);
+    }
+    for (const auto& edge : body.line)
+        for (const int v : edge)
+            body.held[static_cast<std::size_t>(v)] = 1;
+}
+
 /// The body of the faces marked, with the points of `line` even where no such face has them.
 FinishRegion regionOf(const LabelledSurface& surface, const std::vector<char>& marked,
                       const std::vector<std::array<int, 2>>& line, const Directions& directions) {
     FinishRegion region;
     const IndexedMesh& mesh = surface.mesh;
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        if (marked[static_cast<std::size_t>(f)])
+            region.faces.push_back(f);
     std::vector<int> placeOf(static_cast<std::size_t>(mesh.vertexCount()), -1);
     const auto place = [&](int v) {
         int& at = placeOf[static_cast<std::size_t>(v)];
@@ -35,15 +63,9 @@ FinishRegion regionOf(const LabelledSurface& surface, const std::vector<char>& m
         }
         return at;
     };
-    std::vector<char> rim(placeOf.size(), 0);
-    for (int f = 0; f < mesh.faceCount(); ++f) {
-        if (marked[static_cast<std::size_t>(f)])
-            region.faces.push_back(f);
-        for (int k = 0; k < 3; ++k)
-            if (!marked[static_cast<std::size_t>(f)])
-                rim[static_cast<std::size_t>(mesh.F(f, k))] = 1;
-    }
     LabelledBody& body = region.body;
+    body.directions = directions;
+    body.shape.membrane = 1;
     body.shape.F.resize(static_cast<Eigen::Index>(region.faces.size()), 3);
     for (std::size_t i = 0; i < region.faces.size(); ++i) {
         for (int k = 0; k < 3; ++k)
@@ -52,19 +74,7 @@ FinishRegion regionOf(const LabelledSurface& surface, const std::vector<char>& m
     }
     for (const auto& [a, b] : line)
         body.line.push_back({place(a), place(b)});
-    body.shape.V.resize(static_cast<Eigen::Index>(region.points.size()), 3);
-    body.shape.membrane = 1;
-    body.directions = directions;
-    for (std::size_t i = 0; i < region.points.size(); ++i) {
-        const int v = region.points[i];
-        body.shape.V.row(static_cast<Eigen::Index>(i)) = mesh.V.row(v);
-        body.fixed.push_back(rim[static_cast<std::size_t>(v)]);
-        // A face that was laid in the plane (a flat back) stays there, like the line.
-        body.held.push_back(mesh.V(v, 2) == 0);
-    }
-    for (const auto& edge : body.line)
-        for (const int v : edge)
-            body.held[static_cast<std::size_t>(v)] = 1;
+    takePoints(region, mesh.V, pointsBeyond(mesh, marked));
     return region;
 }
 

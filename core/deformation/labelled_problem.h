@@ -19,8 +19,8 @@ struct LabelledBody {
     SideLabels labels;      ///< of shape.F
     std::vector<char> held; ///< per point: on the parting line, or pinned
     Directions directions;
-    std::vector<char> fixed;                ///< per point: does not move at all; empty: none
-    std::vector<std::array<int, 2>> line{}; ///< the parting line; empty: the edges between the labels
+    std::vector<char> fixed;              ///< per point: does not move at all; empty: none
+    std::vector<std::array<int, 2>> line; ///< the parting line; empty: the edges between the labels
 };
 
 /// What one minimisation weighs.

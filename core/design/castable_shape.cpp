@@ -35,6 +35,7 @@ double meanEdge(const IndexedMesh& mesh) {
 /// Importance of each face of the solid: its source's; 1 where filling made it.
 std::vector<double> solidFaceWeights(const PartedSolid& solid, const std::vector<double>& partWeights) {
     std::vector<double> weights;
+    weights.reserve(solid.surface.sourceFace.size());
     for (const int source : solid.surface.sourceFace)
         weights.push_back(source < 0 ? 1 : partWeights[static_cast<std::size_t>(source)]);
     return weights;
@@ -60,6 +61,7 @@ LabelledBody bodyOf(const PartedSolid& solid, const ShapeGoal& goal) {
 
 std::vector<double> restAreas(const IndexedMesh& mesh) {
     std::vector<double> areas;
+    areas.reserve(static_cast<std::size_t>(mesh.faceCount()));
     for (int f = 0; f < mesh.faceCount(); ++f)
         areas.push_back(doubleAreaVector(mesh, f).norm() / 2);
     return areas;

@@ -77,6 +77,7 @@ std::vector<double> proxyWeights(const PartedPart& part, const Proxy& proxy,
         }
     }
     std::vector<double> weights;
+    weights.reserve(static_cast<std::size_t>(coarse.faceCount()));
     for (int f = 0; f < coarse.faceCount(); ++f)
         weights.push_back(std::min({ofPoint[static_cast<std::size_t>(coarse.F(f, 0))],
                                     ofPoint[static_cast<std::size_t>(coarse.F(f, 1))],

@@ -76,6 +76,32 @@ private:
     std::vector<int> m_into;
 };
 
+/// Collapses edges until `targetFaces` are left; which point each was merged into, as they were numbered
+/// before.
+std::vector<int> collapse(TriangleMesh& mesh, int targetFaces) {
+    mesh.request_face_normals();
+    mesh.update_face_normals();
+    const auto points = static_cast<int>(mesh.n_vertices());
+    OpenMesh::Decimater::DecimaterT<TriangleMesh> decimater(mesh);
+    OpenMesh::Decimater::ModQuadricT<TriangleMesh>::Handle quadric;
+    OpenMesh::Decimater::ModNormalFlippingT<TriangleMesh>::Handle flipping;
+    FaceGuard<TriangleMesh>::Handle faces;
+    CollapseRecord<TriangleMesh>::Handle record;
+    decimater.add(quadric);
+    decimater.module(quadric).unset_max_err();
+    decimater.add(flipping);
+    decimater.add(faces);
+    decimater.add(record);
+    decimater.initialize();
+    decimater.decimate_to_faces(0, static_cast<std::size_t>(targetFaces));
+    mesh.garbage_collection();
+    std::vector<int> into;
+    into.reserve(static_cast<std::size_t>(points));
+    for (int v = 0; v < points; ++v)
+        into.push_back(decimater.module(record).at(v));
+    return into;
+}
+
 } // namespace
 
 IndexedMesh decimate(const IndexedMesh& mesh, int targetFaces) {
@@ -94,26 +120,12 @@ Reduction reduce(const IndexedMesh& mesh, int targetFaces, const std::vector<cha
         reduced.property(original, v) = v.idx();
         reduced.status(v).set_locked(!kept.empty() && kept[static_cast<std::size_t>(v.idx())]);
     }
-    reduced.request_face_normals();
-    reduced.update_face_normals();
-    OpenMesh::Decimater::DecimaterT<TriangleMesh> decimater(reduced);
-    OpenMesh::Decimater::ModQuadricT<TriangleMesh>::Handle quadric;
-    OpenMesh::Decimater::ModNormalFlippingT<TriangleMesh>::Handle flipping;
-    FaceGuard<TriangleMesh>::Handle faces;
-    CollapseRecord<TriangleMesh>::Handle record;
-    decimater.add(quadric);
-    decimater.module(quadric).unset_max_err();
-    decimater.add(flipping);
-    decimater.add(faces);
-    decimater.add(record);
-    decimater.initialize();
-    decimater.decimate_to_faces(0, static_cast<std::size_t>(targetFaces));
-    reduced.garbage_collection();
+    const std::vector<int> into = collapse(reduced, targetFaces);
     std::vector<int> placeOf(pointNow.size(), -1);
     for (const auto v : reduced.vertices())
         placeOf[static_cast<std::size_t>(reduced.property(original, v))] = v.idx();
     for (int& v : pointNow)
-        v = placeOf[static_cast<std::size_t>(decimater.module(record).at(v))];
+        v = placeOf[static_cast<std::size_t>(into[static_cast<std::size_t>(v)])];
     return {toIndexedMesh(reduced), std::move(pointNow)};
 }
 
