@@ -50,13 +50,18 @@ bool goodEnough(const DesignResult& result) {
     return result.castable && limbsLost(result) == 0;
 }
 
-/// Castable before not castable; then the fewer limbs lost, or the less left undone.
+/// What the part has given up: limbs, and the share of its volume that filling buries it under.
+double givenUp(const DesignResult& result) {
+    return limbsLost(result) + result.change.filledVolumeFraction;
+}
+
+/// Castable before not castable; then the less given up, or the less left undone.
 bool better(const DesignResult& a, const DesignResult& b) {
     if (a.castable != b.castable)
         return a.castable;
     if (!a.castable)
         return a.violatingAreaFraction < b.violatingAreaFraction;
-    return limbsLost(a) < limbsLost(b);
+    return givenUp(a) < givenUp(b);
 }
 
 /// Rounds to floats, proves, measures.
