@@ -11,6 +11,7 @@
 #include "design/proxy.h"
 #include "design/remedies.h"
 #include "design/stopwatch.h"
+#include "exchange/tetrahedralize.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
@@ -143,16 +144,21 @@ Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& r
     return part;
 }
 
-Result<PartedSolid> tetrahedralized(const Attempt& attempt, const Task& task, DesignRun& run) {
+/// The part with tetrahedra inside; parted with more caution where TetGen refuses it.
+Result<PartedSolid> tetrahedralized(const Attempt& attempt, const PartedPart& part, const Task& task,
+                                    DesignRun& run) {
     const Stopwatch watch(run.seconds(), "tetrahedralize");
+    if (Result<TetMesh> tets = tetrahedralize(part.surface.mesh, task))
+        return PartedSolid{part, std::move(*tets)};
     return attempt.fill ? filledSolid(*attempt.shape, attempt.state, *attempt.fill, task)
                         : partSolid(*attempt.shape, attempt.state, task);
 }
 
 /// Bends the part's own tetrahedra.
-Result<DesignResult> bendWhole(const Attempt& attempt, const Task& task, DesignRun& run) {
+Result<DesignResult> bendWhole(const Attempt& attempt, const PartedPart& part, const Task& task,
+                               DesignRun& run) {
     const ShapeGoal goal = goalOf(run);
-    const Result<PartedSolid> solid = tetrahedralized(attempt, task, run);
+    const Result<PartedSolid> solid = tetrahedralized(attempt, part, task, run);
     if (!solid)
         return std::unexpected(solid.error());
     const BentShape bent = [&] {
@@ -178,7 +184,7 @@ Result<DesignResult> tryAttempt(const Attempt& attempt, const Task& task, Design
         return proxyOf(*part, task);
     }();
     if (!proxy)
-        return bendWhole(attempt, task, run);
+        return bendWhole(attempt, *part, task, run);
     const BentShape bent = [&] {
         const Stopwatch watch(run.seconds(), "elastoplastic");
         return bendByProxy(*part, *proxy, goal, task.part(0, 0.6), frameWatch(*part, run));
@@ -216,11 +222,18 @@ struct Tries {
     }
 };
 
+Result<DesignResult> bendAgain(const Attempt& attempt, const Task& task, DesignRun& run) {
+    const Result<PartedPart> part = parted(attempt, task, run);
+    if (!part)
+        return std::unexpected(part.error());
+    return bendWhole(attempt, *part, task, run);
+}
+
 /// Bends the part itself where a stand-in was not enough, until one attempt ends well.
 void tryAgain(Tries& tries, const Task& task, DesignRun& run) {
     for (const Attempt& attempt : std::exchange(tries.again, {}))
         if (!tries.good() && !run.stopped())
-            tries.take(attempt, bendWhole(attempt, task, run));
+            tries.take(attempt, bendAgain(attempt, task, run));
 }
 
 Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {

@@ -20,6 +20,16 @@ Directions DesignRun::directionsFor(const IndexedMesh& shape, const PartingPlane
     }
 }
 
+PlaneSearch DesignRun::planeSearch(int count) const {
+    PlaneSearch search;
+    search.count = count;
+    search.draftDegrees = m_request.draftDegrees;
+    search.maxTiltDegrees = m_request.maxTiltDegrees;
+    search.normalDirections = m_request.directionsChoice == DirectionsChoice::Normal;
+    search.seed = m_request.seed;
+    return search;
+}
+
 void DesignRun::show(const char* stage, IndexedMesh shape, const SideLabels& labels, const MoldState& state) {
     if (!m_frames)
         return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/task.h"
+#include "castability/plane_search.h"
 #include "design/design.h"
 
 #include <expected>
@@ -24,6 +25,9 @@ public:
 
     /// Directions at a plane, as the request chooses them.
     [[nodiscard]] Directions directionsFor(const IndexedMesh& shape, const PartingPlane& plane);
+
+    /// The search for the `count` best planes, as the request limits draft, tilt and directions.
+    [[nodiscard]] PlaneSearch planeSearch(int count) const;
 
     [[nodiscard]] bool watched() const { return static_cast<bool>(m_frames); }
     /// Shows a shape (part frame) to whoever watches; `labels` empty while it is not split.

@@ -14,16 +14,6 @@ namespace {
 constexpr int kCandidatePlanes = 60;    ///< searched for those that pass the topological certificate
 constexpr double kLeanDifferently = 35; ///< degrees between normals
 
-std::vector<PlaneCandidate> candidatesFor(const IndexedMesh& shape, const DesignRun& run) {
-    PlaneSearch search;
-    search.count = kCandidatePlanes;
-    search.draftDegrees = run.request().draftDegrees;
-    search.maxTiltDegrees = run.request().maxTiltDegrees;
-    search.normalDirections = run.request().directionsChoice == DirectionsChoice::Normal;
-    search.seed = run.request().seed;
-    return findPlanes(shape, search, run.task().part(0, 0.1));
-}
-
 bool leansAlike(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::abs(a.dot(b)) > std::cos(radians(kLeanDifferently));
 }
@@ -38,7 +28,7 @@ Result<MoldStates> MoldStates::create(const IndexedMesh& shape, DesignRun& run) 
         return states;
     }
     const Stopwatch watch(run.seconds(), "plane");
-    states.m_left = candidatesFor(shape, run);
+    states.m_left = findPlanes(shape, run.planeSearch(kCandidatePlanes), run.task().part(0, 0.1));
     if (run.stopped() || states.m_left.empty())
         return DesignRun::cancelled();
     states.m_best = states.stateAt(states.m_left.front());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "design/remedies.h"
 
-#include "castability/plane_search.h"
 #include "castability/topology.h"
 #include "fill/fill_plan.h"
 #include "mesh/measures.h"
@@ -61,13 +60,8 @@ std::optional<Remedy> movedPlane(const IndexedMesh& shape, const PartingPlane& p
 }
 
 std::optional<Remedy> otherPlane(const IndexedMesh& shape, DesignRun& run) {
-    PlaneSearch search;
-    search.count = kPlanesTested;
-    search.draftDegrees = run.request().draftDegrees;
-    search.maxTiltDegrees = run.request().maxTiltDegrees;
-    search.normalDirections = run.request().directionsChoice == DirectionsChoice::Normal;
-    search.seed = run.request().seed;
-    for (const PlaneCandidate& candidate : findPlanes(shape, search, run.task().part(1, 1))) {
+    for (const PlaneCandidate& candidate :
+         findPlanes(shape, run.planeSearch(kPlanesTested), run.task().part(1, 1))) {
         if (run.stopped())
             break;
         if (!surelyPasses(shape, candidate.state))
