@@ -5,6 +5,7 @@
 #include "window/main_window.h"
 
 #include <QApplication>
+#include <QDebug>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QFileDialog>
@@ -14,11 +15,15 @@
 #include <QTest>
 #include <QTimer>
 
+using namespace Qt::StringLiterals;
+
 namespace moldwright::test {
 
 WindowDriver::WindowDriver() {
     window().resize(1440, 900);
-    (void)QTest::qWaitForWindowActive(&window());
+    QObject::connect(&bench(), &Workbench::problem, &window(),
+                     [this](const QString& words) { m_problems += words + u'\n'; });
+    (void)waitActive();
 }
 
 WindowDriver::~WindowDriver() = default;
@@ -27,11 +32,35 @@ bool WindowDriver::waitFor(const std::function<bool()>& condition, int milliseco
     QElapsedTimer clock;
     clock.start();
     while (!condition()) {
-        if (clock.elapsed() > milliseconds)
+        if (clock.elapsed() > milliseconds) {
+            tellWhatIsSeen(milliseconds);
             return false;
+        }
         QTest::qWait(10);
     }
     return true;
+}
+
+bool WindowDriver::waitActive() {
+    // The window manager hands the focus on in its own time, also after a window before this one went
+    // away; a shortcut pressed meanwhile would go nowhere.
+    if (QApplication::activeWindow())
+        return true;
+    window().activateWindow();
+    return waitFor([] { return QApplication::activeWindow() != nullptr; });
+}
+
+void WindowDriver::tellWhatIsSeen(int milliseconds) {
+    const auto name = [](const QWidget* widget) {
+        return widget ? QString::fromLatin1(widget->metaObject()->className()) + u' ' + widget->objectName()
+                      : u"none"_s;
+    };
+    qWarning().noquote() << "Nothing came within" << milliseconds
+                         << "ms. Active window:" << name(QApplication::activeWindow())
+                         << "| focus:" << name(QApplication::focusWidget())
+                         << "| asking:" << name(QApplication::activeModalWidget())
+                         << "| at work:" << m_program.bench().background().busy()
+                         << "| problems:" << m_problems;
 }
 
 bool WindowDriver::waitIdle(int milliseconds) {
@@ -42,6 +71,7 @@ bool WindowDriver::waitIdle(int milliseconds) {
 }
 
 void WindowDriver::press(const char* keys) {
+    (void)waitActive();
     const QKeyCombination combination = QKeySequence(QString::fromLatin1(keys))[0];
     QWidget* target = QApplication::focusWidget() ? QApplication::focusWidget() : &window();
     QTest::keyClick(target, combination.key(), combination.keyboardModifiers());

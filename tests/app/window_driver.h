@@ -55,10 +55,17 @@ public:
     void shot(const char* name);
 
 private:
+    /// Until the window manager has given this program the keys.
+    bool waitActive();
+
+    /// What stands in the way, for whoever reads of a wait that was in vain.
+    void tellWhatIsSeen(int milliseconds);
+
     /// Tries every 50 ms until `answer` found its dialog.
     void whenAsked(const std::function<bool()>& answer);
 
     Program m_program;
+    QString m_problems;
 };
 
 } // namespace moldwright::test
