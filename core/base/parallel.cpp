@@ -42,4 +42,11 @@ void parallelFor(std::size_t count, std::size_t grain,
                       [&](std::size_t b) { body(b * grain, std::min(count, (b + 1) * grain)); });
 }
 
+void parallelInvoke(const std::vector<std::function<void()>>& tasks) {
+    parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            tasks[i]();
+    });
+}
+
 } // namespace moldwright

@@ -16,6 +16,9 @@ void setThreadCount(int threads);
 void parallelFor(std::size_t count, std::size_t grain,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// Runs tasks that have nothing to do with each other, side by side where cores are free.
+void parallelInvoke(const std::vector<std::function<void()>>& tasks);
+
 /// Sum of partial(begin, end) over the blocks of [0, count), added in block order: the same bits for any
 /// number of threads. T needs a zero value and +=.
 template <class T>

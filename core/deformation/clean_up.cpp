@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "deformation/clean_up.h"
 
-#include "deformation/curve_barrier.h"
-#include "mesh/triangle_mesh.h"
+#include "deformation/best_place.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <functional>
 #include <optional>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace moldwright {
 
 namespace {
 
-using Vertex = TriangleMesh::VertexHandle;
-using Face = TriangleMesh::FaceHandle;
-using Edge = TriangleMesh::EdgeHandle;
-using Halfedge = TriangleMesh::HalfedgeHandle;
-using Corners = std::array<Eigen::Vector3d, 3>;
+using Vertex = LabelledMesh::Vertex;
+using Face = LabelledMesh::Face;
+using Edge = LabelledMesh::Edge;
+using Halfedge = LabelledMesh::Halfedge;
+using Corners = LabelledMesh::Corners;
 
-constexpr double kGain = 1e-6; ///< a change must raise the worst N·d by this much
-constexpr double kTurn = 0.3;  ///< no face may turn further than the angle of this cosine in a collapse
+constexpr double kGain = 1e-6;   ///< a change must raise the worst N·d by this much
+constexpr double kTurn = 0.3;    ///< no face may turn further than the angle of this cosine in a collapse
+constexpr double kLowest = 0.15; ///< share of its height that a point placed anew keeps
+constexpr double kHighest = 1.5; ///< times its height: slopes grow with the height
 constexpr int kRounds = 4;
+constexpr int kRingsMended = 3;  ///< about a forced collapse
+constexpr int kRingsCounted = 6; ///< beyond what mending can reach
 
 double altitude(const Corners& x) {
     const double longest = std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()});
@@ -36,42 +42,25 @@ Eigen::Vector3d normalOf(const Corners& x) {
     return length > 0 ? Eigen::Vector3d(c / length) : Eigen::Vector3d::Zero();
 }
 
-/// The surface under repair: OpenMesh with labels, and the questions that decide on a change.
+/// The surface under repair, and the questions that decide on a change.
 class Surgery {
 public:
-    Surgery(const LabelledSurface& surface, const CleanUpGoal& goal)
-        : m_goal(goal), m_mesh(toTriangleMesh(surface.mesh)) {
-        m_mesh.add_property(m_label);
-        for (const auto f : m_mesh.faces())
-            m_mesh.property(m_label, f) = surface.labels[static_cast<std::size_t>(f.idx())];
-        m_mesh.add_property(m_source);
-        for (const auto v : m_mesh.vertices())
-            m_mesh.property(m_source, v) = surface.sourceVertex[static_cast<std::size_t>(v.idx())];
-        gatherCurve();
-    }
+    Surgery(const LabelledSurface& surface, const CleanUpGoal& goal) : m_goal(goal), m_mesh(surface) {}
 
     int run() {
+        return mendRounds([this] { return allFaces(); });
+    }
+
+    /// Forces a collapse at each face that is stuck, where that leaves fewer faces short.
+    int dislodge() {
         int changes = 0;
-        for (int round = 0; round < kRounds; ++round) {
-            const int before = changes;
-            for (const Face f : facesToMend())
-                if (!m_mesh.status(f).deleted() && needsMending(f))
-                    changes += mend(f);
-            if (changes == before)
-                break;
-        }
+        for (const Face f : facesToMend(allFaces()))
+            if (!topology().status(f).deleted() && isShort(f))
+                changes += force(f);
         return changes;
     }
 
-    LabelledSurface result() {
-        m_mesh.garbage_collection();
-        LabelledSurface surface{toIndexedMesh(m_mesh), {}, {}};
-        for (const auto f : m_mesh.faces())
-            surface.labels.push_back(m_mesh.property(m_label, f));
-        for (const auto v : m_mesh.vertices())
-            surface.sourceVertex.push_back(m_mesh.property(m_source, v));
-        return surface;
-    }
+    LabelledSurface result() { return m_mesh.surface(); }
 
 private:
     /// A change considered: how the worst draft around it would be, and how thin its thinnest face.
@@ -82,32 +71,53 @@ private:
         double thinnest = 0;
     };
 
-    [[nodiscard]] Corners cornersOf(Face f) const {
-        Corners x;
-        std::size_t k = 0;
-        for (const auto v : m_mesh.fv_range(f))
-            x[k++] = m_mesh.point(v);
-        return x;
-    }
+    [[nodiscard]] const TriangleMesh& topology() const { return m_mesh.topology(); }
 
     [[nodiscard]] double draft(const Corners& x, int label) const {
         return normalOf(x).dot(m_goal.directions.of(label));
     }
-    [[nodiscard]] double draft(Face f) const { return draft(cornersOf(f), m_mesh.property(m_label, f)); }
+    [[nodiscard]] double draft(Face f) const { return draft(m_mesh.corners(f), m_mesh.label(f)); }
 
     [[nodiscard]] bool tooThin(Face f) const {
-        const Corners x = cornersOf(f);
+        const Corners x = m_mesh.corners(f);
         const double shortest = std::min({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()});
         return shortest < m_goal.shortestEdge || altitude(x) < m_goal.smallestAltitude;
     }
 
-    [[nodiscard]] bool needsMending(Face f) const { return draft(f) < m_goal.tau || tooThin(f); }
+    [[nodiscard]] bool isShort(Face f) const { return draft(f) < m_goal.tau; }
+    [[nodiscard]] bool needsMending(Face f) const { return isShort(f) || tooThin(f); }
+
+    [[nodiscard]] std::vector<Face> allFaces() const {
+        std::vector<Face> faces;
+        for (const auto f : topology().faces())
+            faces.push_back(f);
+        return faces;
+    }
+
+    /// The faces within `rings` rings of v.
+    [[nodiscard]] std::vector<Face> facesAbout(Vertex v, int rings) const {
+        std::set<Vertex> seen{v};
+        std::set<Face> faces;
+        std::vector<Vertex> rim{v};
+        for (int ring = 0; ring < rings; ++ring) {
+            std::vector<Vertex> next;
+            for (const Vertex r : rim) {
+                for (const auto f : topology().vf_range(r))
+                    faces.insert(f);
+                for (const auto w : topology().vv_range(r))
+                    if (seen.insert(w).second)
+                        next.push_back(w);
+            }
+            rim = std::move(next);
+        }
+        return {faces.begin(), faces.end()};
+    }
 
     /// Worst first, so that what hurts most has the first choice.
-    [[nodiscard]] std::vector<Face> facesToMend() const {
+    [[nodiscard]] std::vector<Face> facesToMend(const std::vector<Face>& among) const {
         std::vector<std::pair<double, Face>> found;
-        for (const auto f : m_mesh.faces())
-            if (needsMending(f))
+        for (const Face f : among)
+            if (!topology().status(f).deleted() && needsMending(f))
                 found.emplace_back(draft(f), f);
         std::stable_sort(found.begin(), found.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -117,23 +127,70 @@ private:
         return faces;
     }
 
-    [[nodiscard]] bool onCurve(Edge e) const {
-        const auto h = m_mesh.halfedge_handle(e, 0);
-        const auto o = m_mesh.halfedge_handle(e, 1);
-        return m_mesh.property(m_label, m_mesh.face_handle(h)) !=
-               m_mesh.property(m_label, m_mesh.face_handle(o));
+    int mendRounds(const std::function<std::vector<Face>()>& faces) {
+        int changes = 0;
+        for (int round = 0; round < kRounds; ++round) {
+            const int before = changes;
+            for (const Face f : facesToMend(faces()))
+                if (!topology().status(f).deleted() && needsMending(f))
+                    changes += mend(f);
+            if (changes == before)
+                break;
+        }
+        return changes;
     }
 
-    [[nodiscard]] bool onCurve(Vertex v) const {
-        const auto edges = m_mesh.ve_range(v);
-        return std::any_of(edges.begin(), edges.end(), [&](auto e) { return onCurve(e); });
+    /// What a forced collapse and the mending after it come to.
+    struct Trial {
+        LabelledMesh mesh;
+        int moreShort; ///< faces below τ, compared with before
+        int changes;
+        bool operator<(const Trial& other) const {
+            return std::pair(moreShort, changes) < std::pair(other.moreShort, other.changes);
+        }
+    };
+
+    /// Collapses an edge at f although that makes matters worse at first, and mends what comes of it. Of all
+    /// such collapses the one that leaves the fewest faces short; none where that is no fewer than now.
+    int force(Face f) {
+        std::set<Halfedge> edges;
+        for (const auto v : topology().fv_range(f))
+            for (const auto h : topology().voh_range(v)) {
+                edges.insert(h);
+                edges.insert(topology().opposite_halfedge_handle(h));
+            }
+        std::optional<Trial> best;
+        for (const Halfedge h : edges)
+            if (m_mesh.mayCollapse(h)) {
+                Trial trial = tryForcing(h);
+                if (trial.moreShort < 0 && (!best || trial < *best))
+                    best.emplace(std::move(trial));
+            }
+        if (!best)
+            return 0;
+        m_mesh = std::move(best->mesh);
+        return best->changes;
     }
 
-    void gatherCurve() {
-        m_curvePoints.clear();
-        for (const auto v : m_mesh.vertices())
-            if (onCurve(v))
-                m_curvePoints.push_back(v);
+    [[nodiscard]] Trial tryForcing(Halfedge h) const {
+        Surgery surgery = *this;
+        const Vertex kept = topology().to_vertex_handle(h);
+        const std::vector<Face> near = facesAbout(kept, kRingsCounted);
+        surgery.m_mesh.collapse(h);
+        const int mended = surgery.mendRounds([&] {
+            return surgery.topology().status(kept).deleted() ? std::vector<Face>{}
+                                                             : surgery.facesAbout(kept, kRingsMended);
+        });
+        int left = surgery.countShort(near);
+        for (std::size_t f = topology().n_faces(); f < surgery.topology().n_faces(); ++f)
+            left += surgery.isShort(Face(static_cast<int>(f)));
+        return {std::move(surgery.m_mesh), left - countShort(near), 1 + mended};
+    }
+
+    [[nodiscard]] int countShort(const std::vector<Face>& faces) const {
+        return static_cast<int>(std::count_if(faces.begin(), faces.end(), [this](Face f) {
+            return !topology().status(f).deleted() && isShort(f);
+        }));
     }
 
     bool mend(Face f) {
@@ -142,65 +199,96 @@ private:
             if (change && (!best || change->worst > best->worst))
                 best = change;
         };
-        for (const auto h : m_mesh.fh_range(f)) {
+        for (const auto h : topology().fh_range(f)) {
             consider(tryFlip(h));
             consider(tryCollapse(h));
-            consider(tryCollapse(m_mesh.opposite_halfedge_handle(h)));
+            consider(tryCollapse(topology().opposite_halfedge_handle(h)));
         }
         if (!best)
-            return relocateCorners(f);
-        if (best->flip) {
-            m_mesh.flip(m_mesh.edge_handle(best->halfedge));
-            return true;
-        }
-        const bool curve = onCurve(m_mesh.edge_handle(best->halfedge));
-        m_mesh.collapse(best->halfedge);
-        if (curve)
-            std::erase_if(m_curvePoints, [&](Vertex v) { return m_mesh.status(v).deleted(); });
+            return isShort(f) && (placeCorners(f) || splitEdges(f));
+        if (best->flip)
+            m_mesh.flip(topology().edge_handle(best->halfedge));
+        else
+            m_mesh.collapse(best->halfedge);
         return true;
     }
 
-    /// Moves a free corner of f to the best of a few places about its neighbours' middle, at its height or
-    /// nearer to the plane (slopes fall with the height); only if the worst draft about it rises.
-    bool relocateCorners(Face f) {
-        for (const auto v : m_mesh.fv_range(f))
-            if (!onPlane(v) && relocate(v))
+    /// Moves a free corner of f to its best place; only if the worst draft about it rises.
+    bool placeCorners(Face f) {
+        for (const auto v : topology().fv_range(f))
+            if (!m_mesh.onPlane(v) && placeAnew(v))
                 return true;
         return false;
     }
 
-    bool relocate(Vertex v) {
-        const Eigen::Vector3d old = m_mesh.point(v);
-        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-        int around = 0;
-        for (const auto w : m_mesh.vv_range(v)) {
-            middle += m_mesh.point(w);
-            ++around;
+    bool placeAnew(Vertex v) {
+        std::vector<FaceToPlace> faces;
+        for (const auto h : topology().voh_range(v)) {
+            const Face f = topology().face_handle(h);
+            faces.push_back({m_mesh.point(topology().to_vertex_handle(h)),
+                             m_mesh.point(topology().to_vertex_handle(topology().next_halfedge_handle(h))),
+                             m_goal.directions.of(m_mesh.label(f))});
         }
-        middle /= around;
-        double best = worstAround(v);
-        if (best >= m_goal.tau)
+        const Eigen::Vector3d old = m_mesh.point(v);
+        const Eigen::Vector3d place = bestPlace(faces, old, boundsAt(old, faces), m_goal.tau);
+        const double before = worst(faces, old);
+        if (before >= m_goal.tau || worst(faces, place) <= before + kGain)
             return false;
-        Eigen::Vector3d chosen = old;
-        for (const double inward : {0.0, 0.25, 0.5, 1.0})
-            for (const double lowered : {1.0, 0.7, 0.4, 0.15}) {
-                m_mesh.point(v) << (1 - inward) * old.head<2>() + inward * middle.head<2>(),
-                    lowered * old.z();
-                const double worst = worstAround(v);
-                if (worst > best + kGain) {
-                    best = worst;
-                    chosen = m_mesh.point(v);
-                }
-            }
-        m_mesh.point(v) = chosen;
-        return chosen != old;
+        m_mesh.move(v, place);
+        return true;
     }
 
-    [[nodiscard]] double worstAround(Vertex v) const {
-        double worst = 1;
-        for (const auto f : m_mesh.vf_range(v))
-            worst = std::min(worst, draft(f));
-        return worst;
+    /// Gives f and a neighbour a point between them. A slit or a sharp bay of the line needs it: around its
+    /// tip two faces cannot both look along the direction, three can.
+    bool splitEdges(Face f) {
+        for (const auto h : topology().fh_range(f))
+            if (!m_mesh.onCurve(topology().edge_handle(h)) && split(h))
+                return true;
+        return false;
+    }
+
+    bool split(Halfedge h) {
+        const Halfedge o = topology().opposite_halfedge_handle(h);
+        const Eigen::Vector3d& direction = m_goal.directions.of(m_mesh.label(topology().face_handle(h)));
+        std::vector<FaceToPlace> faces;
+        for (const Halfedge side : {h, o}) {
+            const Halfedge next = topology().next_halfedge_handle(side);
+            const Eigen::Vector3d& from = m_mesh.point(topology().to_vertex_handle(side));
+            const Eigen::Vector3d& tip = m_mesh.point(topology().to_vertex_handle(next));
+            faces.push_back({from, tip, direction});
+            faces.push_back({tip, m_mesh.point(topology().from_vertex_handle(side)), direction});
+        }
+        const Eigen::Vector3d middle = (faces[0].a + faces[2].a) / 2;
+        if (middle.z() == 0)
+            return false;
+        const Eigen::Vector3d place = bestPlace(faces, middle, boundsAt(middle, faces), m_goal.tau);
+        if (worst(faces, place) < m_goal.tau || thinnest(faces, place) < m_goal.smallestAltitude)
+            return false;
+        m_mesh.split(topology().edge_handle(h), place);
+        return true;
+    }
+
+    static PlaceBounds boundsAt(const Eigen::Vector3d& place, const std::vector<FaceToPlace>& faces) {
+        PlaceBounds bounds{0, kLowest * place.z(), kHighest * place.z()};
+        if (place.z() < 0)
+            std::swap(bounds.low, bounds.high);
+        for (const FaceToPlace& face : faces)
+            bounds.reach = std::max(bounds.reach, (face.a - place).norm());
+        return bounds;
+    }
+
+    static double worst(const std::vector<FaceToPlace>& faces, const Eigen::Vector3d& place) {
+        double least = 1;
+        for (const FaceToPlace& face : faces)
+            least = std::min(least, normalOf({place, face.a, face.b}).dot(face.direction));
+        return least;
+    }
+
+    static double thinnest(const std::vector<FaceToPlace>& faces, const Eigen::Vector3d& place) {
+        double least = altitude({place, faces[0].a, faces[0].b});
+        for (const FaceToPlace& face : faces)
+            least = std::min(least, altitude({place, face.a, face.b}));
+        return least;
     }
 
     /// Is it worth it? Mended draft must rise; a thin face may go as long as draft stays at τ or where it
@@ -211,46 +299,42 @@ private:
         return change.thinnest > 2 * thinnestBefore && change.worst >= std::min(worstBefore, m_goal.tau);
     }
 
-    [[nodiscard]] std::optional<Change> tryFlip(Halfedge h) const {
-        const Edge e = m_mesh.edge_handle(h);
-        if (onCurve(e) || !m_mesh.is_flip_ok(e))
+    [[nodiscard]] std::optional<Change> tryFlip(Halfedge h) {
+        const Edge e = topology().edge_handle(h);
+        if (!m_mesh.mayFlip(e))
             return std::nullopt;
-        const Halfedge o = m_mesh.opposite_halfedge_handle(h);
-        const int label = m_mesh.property(m_label, m_mesh.face_handle(h));
-        const Vertex a = m_mesh.from_vertex_handle(h);
-        const Vertex b = m_mesh.to_vertex_handle(h);
-        const Vertex c = m_mesh.to_vertex_handle(m_mesh.next_halfedge_handle(h));
-        const Vertex d = m_mesh.to_vertex_handle(m_mesh.next_halfedge_handle(o));
-        const bool laysFlat = (onPlane(c) && onPlane(d)) && (onPlane(a) || onPlane(b));
-        if (laysFlat)
-            return std::nullopt;
-        const Corners first{m_mesh.point(c), m_mesh.point(d), m_mesh.point(b)};
-        const Corners second{m_mesh.point(d), m_mesh.point(c), m_mesh.point(a)};
-        const Face f = m_mesh.face_handle(h);
-        const Face g = m_mesh.face_handle(o);
+        const Halfedge o = topology().opposite_halfedge_handle(h);
+        const Face f = topology().face_handle(h);
+        const Face g = topology().face_handle(o);
+        const int label = m_mesh.label(f);
+        const Eigen::Vector3d& a = m_mesh.point(topology().from_vertex_handle(h));
+        const Eigen::Vector3d& b = m_mesh.point(topology().to_vertex_handle(h));
+        const Eigen::Vector3d& c =
+            m_mesh.point(topology().to_vertex_handle(topology().next_halfedge_handle(h)));
+        const Eigen::Vector3d& d =
+            m_mesh.point(topology().to_vertex_handle(topology().next_halfedge_handle(o)));
+        const Corners first{c, d, b};
+        const Corners second{d, c, a};
         const double before = std::min(draft(f), draft(g));
-        const double thin = std::min(altitude(cornersOf(f)), altitude(cornersOf(g)));
+        const double thin = std::min(altitude(m_mesh.corners(f)), altitude(m_mesh.corners(g)));
         const Change change{h, true, std::min(draft(first, label), draft(second, label)),
                             std::min(altitude(first), altitude(second))};
         return pays(change, before, thin) ? std::optional(change) : std::nullopt;
     }
 
-    [[nodiscard]] bool onPlane(Vertex v) const { return m_mesh.point(v).z() == 0; }
-
     /// The collapse of h: its from-vertex moves onto its to-vertex.
     [[nodiscard]] std::optional<Change> tryCollapse(Halfedge h) {
-        const Vertex gone = m_mesh.from_vertex_handle(h);
-        const Vertex kept = m_mesh.to_vertex_handle(h);
-        const bool curve = onCurve(m_mesh.edge_handle(h));
-        if ((onCurve(gone) && !curve) || !m_mesh.is_collapse_ok(h) || (curve && !curveAllows(h)))
+        if (!m_mesh.mayCollapse(h))
             return std::nullopt;
+        const Vertex gone = topology().from_vertex_handle(h);
+        const Vertex kept = topology().to_vertex_handle(h);
         Change change{h, false, 2, 1e300};
         double before = 2;
         double thin = 1e300;
-        const Face left = m_mesh.face_handle(h);
-        const Face right = m_mesh.face_handle(m_mesh.opposite_halfedge_handle(h));
-        for (const auto f : m_mesh.vf_range(gone)) {
-            const Corners old = cornersOf(f);
+        const Face left = topology().face_handle(h);
+        const Face right = topology().face_handle(topology().opposite_halfedge_handle(h));
+        for (const auto f : topology().vf_range(gone)) {
+            const Corners old = m_mesh.corners(f);
             before = std::min(before, draft(f));
             thin = std::min(thin, altitude(old));
             if (f == left || f == right)
@@ -258,7 +342,7 @@ private:
             Corners moved;
             std::size_t k = 0;
             int flat = 0;
-            for (const auto v : m_mesh.fv_range(f)) {
+            for (const auto v : topology().fv_range(f)) {
                 moved[k++] = m_mesh.point(v == gone ? kept : Vertex(v));
                 flat += moved[k - 1].z() == 0;
             }
@@ -267,66 +351,14 @@ private:
             const bool oldMeansSomething = altitude(old) > m_goal.smallestAltitude;
             if ((flat == 3 && !wasFlat) || (oldMeansSomething && draft(f) >= m_goal.tau && turn < kTurn))
                 return std::nullopt;
-            change.worst = std::min(change.worst, draft(moved, m_mesh.property(m_label, f)));
+            change.worst = std::min(change.worst, draft(moved, m_mesh.label(f)));
             change.thinnest = std::min(change.thinnest, altitude(moved));
         }
         return pays(change, before, thin) ? std::optional(change) : std::nullopt;
     }
 
-    /// May the curve lose `gone`? Its neighbours on the curve are then joined: p–gone–kept becomes p–kept.
-    /// The curve stays simple exactly when no other of its points lies in that triangle; a loop keeps more
-    /// than three points.
-    [[nodiscard]] bool curveAllows(Halfedge h) const {
-        const Vertex gone = m_mesh.from_vertex_handle(h);
-        const Vertex kept = m_mesh.to_vertex_handle(h);
-        std::vector<Vertex> neighbours;
-        for (const auto w : m_mesh.voh_range(gone))
-            if (onCurve(m_mesh.edge_handle(w)))
-                neighbours.push_back(m_mesh.to_vertex_handle(w));
-        if (neighbours.size() != 2)
-            return false;
-        const Vertex p = neighbours[0] == kept ? neighbours[1] : neighbours[0];
-        for (const auto w : m_mesh.voh_range(kept)) {
-            const Vertex q = m_mesh.to_vertex_handle(w);
-            if (q != gone && onCurve(m_mesh.edge_handle(w)) && loopIsShort(p, q))
-                return false;
-        }
-        const auto at = [&](Vertex v) -> Eigen::Vector2d { return m_mesh.point(v).head<2>(); };
-        const double margin = 0.01 * (at(gone) - at(kept)).norm();
-        return std::none_of(m_curvePoints.begin(), m_curvePoints.end(), [&](Vertex v) {
-            return v != p && v != gone && v != kept && nearTriangle(at(v), at(p), at(gone), at(kept), margin);
-        });
-    }
-
-    /// After a collapse the loop would be p – kept – q: too short when p and q are joined by the curve or the
-    /// same.
-    [[nodiscard]] bool loopIsShort(Vertex p, Vertex q) const {
-        if (p == q)
-            return true;
-        const Halfedge h = m_mesh.find_halfedge(p, q);
-        return h.is_valid() && onCurve(m_mesh.edge_handle(h));
-    }
-
-    /// Inside the triangle, or within `margin` of it. By distances: a point far along a straight curve is
-    /// near the lines of all three sides, not near the triangle.
-    static bool nearTriangle(const Eigen::Vector2d& q, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                             const Eigen::Vector2d& c, double margin) {
-        const auto turn = [&](const Eigen::Vector2d& s, const Eigen::Vector2d& t) {
-            return (t - s).x() * (q - s).y() - (t - s).y() * (q - s).x();
-        };
-        const double t0 = turn(a, b);
-        const double t1 = turn(b, c);
-        const double t2 = turn(c, a);
-        const bool inside = (t0 > 0 && t1 > 0 && t2 > 0) || (t0 < 0 && t1 < 0 && t2 < 0);
-        return inside || std::min({segmentDistance(q, a, b).distance, segmentDistance(q, b, c).distance,
-                                   segmentDistance(q, c, a).distance}) <= margin;
-    }
-
     CleanUpGoal m_goal;
-    TriangleMesh m_mesh;
-    OpenMesh::FPropHandleT<std::uint8_t> m_label;
-    OpenMesh::VPropHandleT<int> m_source;
-    std::vector<Vertex> m_curvePoints;
+    LabelledMesh m_mesh;
 };
 
 } // namespace
@@ -334,6 +366,14 @@ private:
 int cleanUp(LabelledSurface& surface, const CleanUpGoal& goal) {
     Surgery surgery(surface, goal);
     const int changes = surgery.run();
+    if (changes > 0)
+        surface = surgery.result();
+    return changes;
+}
+
+int dislodge(LabelledSurface& surface, const CleanUpGoal& goal) {
+    Surgery surgery(surface, goal);
+    const int changes = surgery.dislodge();
     if (changes > 0)
         surface = surgery.result();
     return changes;

@@ -16,6 +16,7 @@ constexpr double kAimHigher = 1.0;  ///< degrees above the required draft
 constexpr double kEnough = 0.2;     ///< degrees above the required draft that end the finish
 constexpr double kAreaFloor = 0.01; ///< of the mean face area: slivers must count too
 constexpr double kMany = 0.02;      ///< of the faces: more are worked on all together
+constexpr int kFew = 30;            ///< faces left over that are dislodged one by one
 constexpr int kRings = 6;           ///< of faces about those that need work
 constexpr int kIterations = 100;
 constexpr std::size_t kStalledRounds = 3; ///< without fewer violations: what is left is stuck
@@ -103,6 +104,8 @@ bool runRounds(LabelledSurface& surface, First first, const FinishGoal& goal, co
         weights.barrier = std::max(weights.barrier * 0.3, 1e-4);
         if (watch)
             watch(surface);
+        if (violations(surface, goal.directions, goal.draftDegrees + kEnough) <= kFew)
+            dislodge(surface, mending);
         history.push_back(violations(surface, goal.directions, goal.draftDegrees));
         if (round > 0 && history[history.size() - 2] <= history.back())
             rings *= 2;

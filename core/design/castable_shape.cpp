@@ -22,6 +22,7 @@ constexpr double kFirstHinge = 1;  ///< κ of the first round
 constexpr double kHingeGrowth = 3; ///< from round to round
 constexpr int kRounds = 4;
 constexpr int kIterations = 40;
+constexpr double kRoughly = 1e-2; ///< relative decrease that ends a round before the last: see StageWeights
 constexpr double kBarrierShare = 0.01; ///< barrier weight over κ
 
 double meanEdge(const IndexedMesh& mesh) {
@@ -99,6 +100,8 @@ BentShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task
     for (int round = 0; round < kRounds && !enough && !task.stopped();
          ++round, weights.hinge *= kHingeGrowth) {
         weights.barrier = kBarrierShare * weights.hinge;
+        const bool roughly = !goal.thorough && round + 1 < kRounds;
+        weights.relativeDecrease = roughly ? kRoughly : StageWeights{}.relativeDecrease;
         int step = 0;
         X = problem.minimize(weights, areas, std::move(X), [&](const Positions& Y) {
             task.progress((round + static_cast<double>(++step) / kIterations) / kRounds, "deformation");

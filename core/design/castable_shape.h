@@ -15,6 +15,7 @@ struct ShapeGoal {
     double draftDegrees = 1;
     std::vector<double> faceWeights; ///< importance per face of the part; empty: all 1
     std::function<bool()> finishNow; ///< as in DesignRequest
+    bool thorough = false;           ///< every round to its end: slower, and limbs keep a little more
 };
 
 /// Sees the surface (working frame) as it changes; the string names the stage.

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "design/default_method.h"
 
-#include "castability/analysis.h"
-#include "castability/float_rounding.h"
-#include "design/castable_shape.h"
-#include "design/comparison.h"
+#include "design/attempt.h"
 #include "design/mold_states.h"
 #include "design/paper_method.h"
 #include "design/parting.h"
-#include "design/proxy.h"
 #include "design/remedies.h"
-#include "design/stopwatch.h"
-#include "exchange/tetrahedralize.h"
-#include "mesh/measures.h"
+#include "mesh/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,17 +21,11 @@ constexpr std::size_t kPlanesTried = 6;    ///< deformed in turn until one ends 
 constexpr std::size_t kPlanesForLimbs = 3; ///< of these, tried when only a limb is short
 constexpr int kFacesBentWhole =
     60000;                           ///< larger parts bend by a stand-in only: theirs are too many tetrahedra
-constexpr int kRoundingAttempts = 3; ///< finishes with ever coarser clean-up until floats keep the draft
 constexpr int kPinSteps = 12;        ///< plastic steps that bring pins to the plane before the part is split
 constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
 constexpr double kLimbVolume = 0.75; ///< share of its volume
+constexpr double kNearlyKept = 0.15; ///< missing shares, summed, that more detail may well bring back
 constexpr double kMuchLost = 0.25;   ///< missing shares, summed, from which filling is tried beside bending
-
-/// Size of a float's rounding step at the part's largest coordinate, mm.
-double floatStep(const IndexedMesh& part) {
-    const double largest = part.V.cwiseAbs().maxCoeff();
-    return largest * std::numeric_limits<float>::epsilon();
-}
 
 /// By how much limbs fell short of what they are to keep, summed; 0: all kept.
 double limbsLost(const DesignResult& result) {
@@ -65,154 +53,38 @@ bool better(const DesignResult& a, const DesignResult& b) {
     return givenUp(a) < givenUp(b);
 }
 
-/// Rounds to floats, proves, measures.
-void takeCast(DesignResult& result, const PartedPart& part, const LabelledSurface& surface, DesignRun& run) {
-    const Stopwatch watch(run.seconds(), "postprocess");
-    const DesignRequest& request = run.request();
-    const IndexedMesh rounded = roundKeepingDraft(part.frame.toPart(surface.mesh), surface.labels,
-                                                  part.state.directions, request.draftDegrees);
-    result.labels = surface.labels;
-    result.certificate = certify(rounded, result.labels, part.state, request.draftDegrees);
-    result.castable = result.certificate.holds();
-    const DraftAnalysis analysis = analyzeDraft(rounded, part.state, request.draftDegrees, false);
-    result.energy = analysis.energy;
-    // On an oblique plane rounded points lie a hair off it and analysis sees two pieces: the proof has
-    // the last word.
-    result.violatingAreaFraction = result.castable ? 0 : analysis.violatingAreaFraction;
-    const IndexedMesh before = part.frame.toPart(part.surface.mesh);
-    result.change = measureChange(*request.part, before, rounded, surface.sourceVertex);
-    result.change.filledVolumeFraction = part.filledVolume / volume(*request.part);
-    result.strain = surfaceStrain(before, rounded, surface.sourceVertex);
-    result.limbs = measureLimbs(before, rounded, surface.sourceVertex, request.limbTips);
-    result.cast = std::make_shared<const IndexedMesh>(rounded);
-}
-
-/// What is done at one state: the part as it is or filled first, then bent.
-struct Attempt {
-    const IndexedMesh* shape;
-    MoldState state;
-    std::optional<FillExtent> fill;
-};
-
-ShapeGoal goalOf(const DesignRun& run) {
-    return {run.request().draftDegrees, run.request().faceWeights, run.request().finishNow};
-}
-
-ShapeWatch frameWatch(const PartedPart& part, DesignRun& run) {
-    // Without anyone to see them, frames would be copied for nothing.
-    if (!run.watched())
-        return {};
-    return [&](const char* stage, const LabelledSurface& surface) {
-        run.show(stage, part.frame.toPart(surface.mesh), surface.labels, part.state);
-    };
-}
-
-/// Finishes a bent shape, rounds and proves it; again with a coarser clean-up where floats lose the draft.
-Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& bent, const ShapeGoal& goal,
-                                    const Task& task, DesignRun& run) {
-    const DesignRequest& request = run.request();
-    DesignResult result;
-    result.state = part.state;
-    result.localGlobalIterations = bent.iterations;
-    double resolution = floatStep(*request.part);
-    for (int attempt = 0; attempt < kRoundingAttempts; ++attempt, resolution *= 4) {
-        BentShape finished = bent;
-        const bool reached = [&] {
-            const Stopwatch watch(run.seconds(), "postprocess");
-            return finish(finished, part, goal, resolution, task, frameWatch(part, run));
-        }();
-        result.cutShort = run.stopped();
-        if (result.cutShort && !request.keepUnfinished)
-            return DesignRun::cancelled();
-        takeCast(result, part, finished.surface, run);
-        if (result.castable || !reached || result.cutShort)
-            break;
-    }
-    return result;
-}
-
-Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& run) {
-    const Stopwatch watch(run.seconds(), attempt.fill ? "fill" : "plane");
-    Result<PartedPart> part = attempt.fill ? filledSurface(*attempt.shape, attempt.state, *attempt.fill, task)
-                                           : partSurface(*attempt.shape, attempt.state, task);
-    if (part && !run.request().mergePieces &&
-        connectedComponents(part->surface.mesh).count < connectedComponents(*attempt.shape).count)
-        return failure(ErrorCode::Impossible,
-                       MW_TEXT("design",
-                               "Filling would join pieces of the part that are apart. Allow it, take "
-                               "them apart further, or give another plane."));
-    return part;
-}
-
-/// The part with tetrahedra inside; parted with more caution where TetGen refuses it.
-Result<PartedSolid> tetrahedralized(const Attempt& attempt, const PartedPart& part, const Task& task,
-                                    DesignRun& run) {
-    const Stopwatch watch(run.seconds(), "tetrahedralize");
-    if (Result<TetMesh> tets = tetrahedralize(part.surface.mesh, task))
-        return PartedSolid{part, std::move(*tets)};
-    return attempt.fill ? filledSolid(*attempt.shape, attempt.state, *attempt.fill, task)
-                        : partSolid(*attempt.shape, attempt.state, task);
-}
-
-/// Bends the part's own tetrahedra.
-Result<DesignResult> bendWhole(const Attempt& attempt, const PartedPart& part, const Task& task,
-                               DesignRun& run) {
-    const ShapeGoal goal = goalOf(run);
-    const Result<PartedSolid> solid = tetrahedralized(attempt, part, task, run);
-    if (!solid)
-        return std::unexpected(solid.error());
-    const BentShape bent = [&] {
-        const Stopwatch watch(run.seconds(), "elastoplastic");
-        return bend(*solid, goal, task.part(0, 0.8), frameWatch(*solid, run));
-    }();
-    Result<DesignResult> result = finishAndProve(*solid, bent, goal, task.part(0.8, 1), run);
-    if (result)
-        result->tets = static_cast<int>(solid->tets.T.rows());
-    return result;
-}
-
-/// Bends quickly by a coarse stand-in where there is one, otherwise the part's own tetrahedra.
-Result<DesignResult> tryAttempt(const Attempt& attempt, const Task& task, DesignRun& run) {
-    const ShapeGoal goal = goalOf(run);
-    const Result<PartedPart> part = parted(attempt, task, run);
-    if (!part)
-        return std::unexpected(part.error());
-    if (passesAlready(*part, goal.draftDegrees))
-        return finishAndProve(*part, {surfaceAt(*part, part->surface.mesh.V), 0}, goal, task, run);
-    const std::optional<Proxy> proxy = [&] {
-        const Stopwatch watch(run.seconds(), "tetrahedralize");
-        return proxyOf(*part, task);
-    }();
-    if (!proxy)
-        return bendWhole(attempt, *part, task, run);
-    const BentShape bent = [&] {
-        const Stopwatch watch(run.seconds(), "elastoplastic");
-        return bendByProxy(*part, *proxy, goal, task.part(0, 0.6), frameWatch(*part, run));
-    }();
-    Result<DesignResult> result = finishAndProve(*part, bent, goal, task.part(0.6, 1), run);
-    if (result) {
-        result->tets = static_cast<int>(proxy->solid.tets.T.rows());
-        result->bentByProxy = true;
-    }
-    return result;
-}
-
 /// The best of the passing planes, and why there is none.
 struct Tries {
+    /// An attempt that a stand-in did not bring to a good end: a finer one, or the part itself, may come
+    /// further.
+    struct Unfinished {
+        Attempt attempt;
+        bool castable;
+        double givenUp;
+        bool operator<(const Unfinished& other) const {
+            return std::pair(!castable, givenUp) < std::pair(!other.castable, other.givenUp);
+        }
+    };
+
     std::optional<MoldState> first; ///< the first state that passed
     std::optional<DesignResult> best;
     std::optional<Error> lastError;
-    std::vector<Attempt> again; ///< what a stand-in did not bring to an end: the part itself may come further
+    std::vector<Unfinished> again;
 
-    void take(const Attempt& attempt, Result<DesignResult> result) {
+    /// Whether it all but ended well: more detail may bring back what is missing.
+    bool take(const Attempt& attempt, Result<DesignResult> result) {
         if (!result) {
             lastError = result.error();
-            return;
+            return false;
         }
-        if (result->bentByProxy && !goodEnough(*result) && attempt.shape->faceCount() <= kFacesBentWhole)
-            again.push_back(attempt);
+        bool nearly = false;
+        if (result->bentByProxy && !goodEnough(*result)) {
+            again.push_back({attempt, result->castable, givenUp(*result)});
+            nearly = result->castable && givenUp(*result) <= kNearlyKept;
+        }
         if (!best || better(*result, *best))
             best = std::move(*result);
+        return nearly;
     }
     [[nodiscard]] bool good() const { return best && goodEnough(*best); }
     [[nodiscard]] bool castable() const { return best && best->castable; }
@@ -222,18 +94,37 @@ struct Tries {
     }
 };
 
-Result<DesignResult> bendAgain(const Attempt& attempt, const Task& task, DesignRun& run) {
-    const Result<PartedPart> part = parted(attempt, task, run);
-    if (!part)
-        return std::unexpected(part.error());
-    return bendWhole(attempt, *part, task, run);
+bool tryBy(Means means, Attempt attempt, Tries& tries, const Task& task, DesignRun& run) {
+    attempt.means = means;
+    return tries.take(attempt, tryAttempt(attempt, task, run));
 }
 
-/// Bends the part itself where a stand-in was not enough, until one attempt ends well.
+/// Bends quickly, and at once with more detail where that all but kept the limbs.
+void tryQuickly(const Attempt& attempt, Tries& tries, const Task& task, DesignRun& run) {
+    if (tryBy(Means::QuickProxy, attempt, tries, task, run) && !run.stopped()) {
+        tries.again.pop_back();
+        tryBy(Means::FineProxy, attempt, tries, task, run);
+    }
+}
+
+/// Bends by finer means where a stand-in was not enough, what came furthest first, until one attempt ends
+/// well. Once something is castable, only what was castable too can still be better.
 void tryAgain(Tries& tries, const Task& task, DesignRun& run) {
-    for (const Attempt& attempt : std::exchange(tries.again, {}))
-        if (!tries.good() && !run.stopped())
-            tries.take(attempt, bendAgain(attempt, task, run));
+    for (const Means means : {Means::FineProxy, Means::Itself}) {
+        std::vector<Tries::Unfinished> again = std::exchange(tries.again, {});
+        std::stable_sort(again.begin(), again.end());
+        for (const auto& unfinished : again) {
+            const Attempt& attempt = unfinished.attempt;
+            const bool tooLarge = means == Means::Itself && attempt.shape->faceCount() > kFacesBentWhole;
+            if (tries.good() || run.stopped() || tooLarge || (tries.castable() && !unfinished.castable))
+                continue;
+            if (attempt.means < means)
+                tryBy(means, attempt, tries, task, run);
+            else
+                tries.again.push_back(unfinished);
+        }
+    }
+    tries.again.clear();
 }
 
 Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {
@@ -247,8 +138,7 @@ Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {
             break;
         tries.first = tries.first ? tries.first : state;
         const double from = 0.1 + static_cast<double>(i) * share;
-        const Attempt attempt{&shape, *state, {}};
-        tries.take(attempt, tryAttempt(attempt, run.task().part(from, from + share), run));
+        tryQuickly({&shape, *state, {}}, tries, run.task().part(from, from + share), run);
     }
     tryAgain(tries, run.task().part(0.8, 0.95), run);
     return tries;
@@ -259,8 +149,7 @@ void fillWhereWanted(const IndexedMesh& shape, const MoldStates& states, Tries& 
     const MoldState state = tries.first.value_or(states.best());
     const Task task = run.task().part(0.95, 1);
     const auto tryFilling = [&](FillExtent extent) {
-        const Attempt attempt{&shape, state, extent};
-        tries.take(attempt, tryAttempt(attempt, task, run));
+        tryQuickly({&shape, state, extent}, tries, task, run);
         tryAgain(tries, task, run);
     };
     if (!tries.first && !run.stopped())

@@ -14,8 +14,12 @@ namespace moldwright {
 
 namespace {
 
-constexpr int kProxyFaces = 5000;    ///< away from the parting line
-constexpr int kFacesAtPoint = 4;     ///< more for each point of the parting line, all of which stay
+constexpr int kQuickFaces = 2500; ///< away from the parting line
+constexpr int kFineFaces = 8000;  ///< the same where the quick one was not enough
+constexpr int kFacesAtPoint = 3;  ///< more for each point of the parting line, all of which stay
+/// TetGen's switches: for the quick one a third fewer tetrahedra than a part that bends itself gets.
+constexpr const char* kQuickSwitches = "pYq2";
+constexpr const char* kFineSwitches = "pYq1.414";
 constexpr double kWorthIt = 1.5;     ///< times a proxy's faces: smaller parts are as fast themselves
 constexpr int kAttempts = 4;         ///< with ever more detail kept where the proxy would cross itself
 constexpr double kLeastHeight = 0.1; ///< share of its height that a point keeps on its own side
@@ -87,13 +91,14 @@ std::vector<double> proxyWeights(const PartedPart& part, const Proxy& proxy,
 
 } // namespace
 
-std::optional<Proxy> proxyOf(const PartedPart& part, const Task& task) {
+std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail, const Task& task) {
     const IndexedMesh& fine = part.surface.mesh;
     std::vector<char> kept(static_cast<std::size_t>(fine.vertexCount()));
     for (int v = 0; v < fine.vertexCount(); ++v)
         kept[static_cast<std::size_t>(v)] = fine.V(v, 2) == 0;
     const auto inPlane = static_cast<int>(std::count(kept.begin(), kept.end(), 1));
-    const int faces = kProxyFaces + kFacesAtPoint * inPlane;
+    const bool quick = detail == ProxyDetail::Quick;
+    const int faces = (quick ? kQuickFaces : kFineFaces) + kFacesAtPoint * inPlane;
     if (fine.faceCount() < kWorthIt * faces)
         return std::nullopt;
     for (int attempt = 0; attempt < kAttempts && !task.stopped(); ++attempt) {
@@ -103,7 +108,7 @@ std::optional<Proxy> proxyOf(const PartedPart& part, const Task& task) {
             keepDetailAt(crossing, reduction, kept);
             continue;
         }
-        Result<TetMesh> tets = tetrahedralize(reduction.mesh, task);
+        Result<TetMesh> tets = tetrahedralize(reduction.mesh, task, quick ? kQuickSwitches : kFineSwitches);
         if (!tets)
             return std::nullopt;
         return Proxy{{{part.state, part.frame, labelled(std::move(reduction.mesh)), 0}, std::move(*tets)},

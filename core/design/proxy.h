@@ -14,10 +14,13 @@ struct Proxy {
     std::vector<int> pointNow; ///< per point of the part: the point of the proxy that it was merged into
 };
 
+/// How much of the part's shape a stand-in keeps.
+enum class ProxyDetail { Quick, Fine };
+
 /// The stand-in for a parted part: decimated with the points of the plane kept, so that what hangs together,
 /// the labels and the parting line stay, and more finely where the part is so thin that it would cross
 /// itself. None when the part has few faces itself, or when TetGen refuses what was found.
-[[nodiscard]] std::optional<Proxy> proxyOf(const PartedPart& part, const Task& task);
+[[nodiscard]] std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail, const Task& task);
 
 /// Bends the stand-in, see bend(); the part's own surface follows. What takes time grows with the stand-in,
 /// not with the part.

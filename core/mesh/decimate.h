@@ -7,7 +7,8 @@
 
 namespace moldwright {
 
-/// `mesh` reduced to about `targetFaces` by quadric edge collapses (OpenMesh) that flip no normal; the mesh
+/// `mesh` reduced to about `targetFaces` by collapses of the edges that cost least
+/// [Garland & Heckbert 1997], none of which turns a face over; the mesh
 /// itself when it has no more. Closed stays closed, genus and components stay. Precondition: manifold,
 /// oriented.
 [[nodiscard]] IndexedMesh decimate(const IndexedMesh& mesh, int targetFaces);

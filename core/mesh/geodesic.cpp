@@ -14,27 +14,23 @@ namespace {
 constexpr int kSources = 20; ///< that the mean distance is taken to
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// Points spread over the surface: each the farthest from those before it.
-std::vector<int> spreadPoints(const EdgeGraph& graph, int count) {
-    std::vector<int> points{0};
-    while (static_cast<int>(points.size()) < count) {
-        std::vector<double> distance = graph.distances(points);
-        for (double& d : distance)
-            if (d == kFar)
-                d = -1;
-        points.push_back(
-            static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin()));
-    }
-    return points;
-}
-
+/// Mean distance to points spread over the surface, each the farthest from those before it.
 std::vector<double> meanDistance(const EdgeGraph& graph) {
     std::vector<double> mean(static_cast<std::size_t>(graph.size()), 0);
-    for (const int source : spreadPoints(graph, std::min(kSources, graph.size()))) {
+    std::vector<double> nearest(mean.size(), kFar);
+    int source = 0;
+    for (int i = 0; i < std::min(kSources, graph.size()); ++i) {
         const std::vector<double> distance = graph.distances({source});
-        for (std::size_t v = 0; v < mean.size(); ++v)
+        double farthest = -1;
+        for (std::size_t v = 0; v < mean.size(); ++v) {
             if (distance[v] < kFar)
                 mean[v] += distance[v] / kSources;
+            nearest[v] = std::min(nearest[v], distance[v]);
+            if (nearest[v] < kFar && nearest[v] > farthest) {
+                farthest = nearest[v];
+                source = static_cast<int>(v);
+            }
+        }
     }
     return mean;
 }

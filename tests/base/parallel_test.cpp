@@ -35,3 +35,17 @@ TEST(Parallel, SumHasTheSameBitsForAnyNumberOfThreads) {
     }
     setThreadCount(0);
 }
+
+TEST(Parallel, EachTaskRunsOnceAndBeforeTheEnd) {
+    for (const int threads : {1, 2, 8}) {
+        setThreadCount(threads);
+        std::vector<int> runs(5, 0);
+        std::vector<std::function<void()>> tasks;
+        for (int& n : runs)
+            tasks.emplace_back([&n] { ++n; });
+        parallelInvoke(tasks);
+        EXPECT_EQ(runs, std::vector<int>(5, 1)) << threads << " threads";
+    }
+    setThreadCount(0);
+    parallelInvoke({});
+}

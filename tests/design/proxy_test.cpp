@@ -41,7 +41,7 @@ std::set<std::array<double, 2>> lineOf(const PartedMesh& surface) {
 } // namespace
 
 TEST(Proxy, IsCoarseAndHasThePartingLineOfThePart) {
-    const std::optional<Proxy> proxy = proxyOf(part(), {});
+    const std::optional<Proxy> proxy = proxyOf(part(), ProxyDetail::Quick, {});
     ASSERT_TRUE(proxy);
     const PartedMesh& surface = proxy->solid.surface;
     EXPECT_LT(surface.mesh.faceCount(), part().surface.mesh.faceCount() / 2);
@@ -57,11 +57,11 @@ TEST(Proxy, IsCoarseAndHasThePartingLineOfThePart) {
 }
 
 TEST(Proxy, IsNotMadeOfAPartThatIsCoarseItself) {
-    EXPECT_FALSE(proxyOf(*partSurface(test::sphere({0, 0, 0}, 10, 3), {}, {}), {}));
+    EXPECT_FALSE(proxyOf(*partSurface(test::sphere({0, 0, 0}, 10, 3), {}, {}), ProxyDetail::Quick, {}));
 }
 
 TEST(Proxy, BringsThePartNearItsDraftOnTheRightSides) {
-    const std::optional<Proxy> proxy = proxyOf(part(), {});
+    const std::optional<Proxy> proxy = proxyOf(part(), ProxyDetail::Quick, {});
     ASSERT_TRUE(proxy);
     const ShapeGoal goal{1, {}, {}};
     int frames = 0;

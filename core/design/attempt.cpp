@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "design/attempt.h"
+
+#include "base/parallel.h"
+#include "castability/analysis.h"
+#include "castability/float_rounding.h"
+#include "design/castable_shape.h"
+#include "design/comparison.h"
+#include "design/proxy.h"
+#include "design/stopwatch.h"
+#include "exchange/tetrahedralize.h"
+#include "mesh/measures.h"
+
+#include <limits>
+#include <utility>
+
+namespace moldwright {
+
+namespace {
+
+constexpr int kRoundingAttempts = 3; ///< finishes with ever coarser clean-up until floats keep the draft
+
+/// Size of a float's rounding step at the part's largest coordinate, mm.
+double floatStep(const IndexedMesh& part) {
+    const double largest = part.V.cwiseAbs().maxCoeff();
+    return largest * std::numeric_limits<float>::epsilon();
+}
+
+/// Rounds to floats, proves, measures.
+void takeCast(DesignResult& result, const PartedPart& part, const LabelledSurface& surface, DesignRun& run) {
+    const Stopwatch watch(run.seconds(), "postprocess");
+    const DesignRequest& request = run.request();
+    const IndexedMesh rounded = roundKeepingDraft(part.frame.toPart(surface.mesh), surface.labels,
+                                                  part.state.directions, request.draftDegrees);
+    const IndexedMesh before = part.frame.toPart(part.surface.mesh);
+    const std::vector<int>& source = surface.sourceVertex;
+    DraftAnalysis analysis;
+    result.labels = surface.labels;
+    parallelInvoke(
+        {[&] { result.certificate = certify(rounded, surface.labels, part.state, request.draftDegrees); },
+         [&] { result.limbs = measureLimbs(before, rounded, source, request.limbTips); },
+         [&] { result.change = measureChange(*request.part, before, rounded, source); },
+         [&] { result.strain = surfaceStrain(before, rounded, source); },
+         [&] { analysis = analyzeDraft(rounded, part.state, request.draftDegrees, false); }});
+    result.castable = result.certificate.holds();
+    result.energy = analysis.energy;
+    // On an oblique plane rounded points lie a hair off it and analysis sees two pieces: the proof has
+    // the last word.
+    result.violatingAreaFraction = result.castable ? 0 : analysis.violatingAreaFraction;
+    result.change.filledVolumeFraction = part.filledVolume / volume(*request.part);
+    result.cast = std::make_shared<const IndexedMesh>(rounded);
+}
+
+ShapeGoal goalOf(const Attempt& attempt, const DesignRun& run) {
+    return {run.request().draftDegrees, run.request().faceWeights, run.request().finishNow,
+            attempt.means != Means::QuickProxy};
+}
+
+ShapeWatch frameWatch(const PartedPart& part, DesignRun& run) {
+    // Without anyone to see them, frames would be copied for nothing.
+    if (!run.watched())
+        return {};
+    return [&](const char* stage, const LabelledSurface& surface) {
+        run.show(stage, part.frame.toPart(surface.mesh), surface.labels, part.state);
+    };
+}
+
+/// Finishes a bent shape, rounds and proves it; again with a coarser clean-up where floats lose the draft.
+Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& bent, const ShapeGoal& goal,
+                                    const Task& task, DesignRun& run) {
+    const DesignRequest& request = run.request();
+    DesignResult result;
+    result.state = part.state;
+    result.localGlobalIterations = bent.iterations;
+    double resolution = floatStep(*request.part);
+    for (int attempt = 0; attempt < kRoundingAttempts; ++attempt, resolution *= 4) {
+        BentShape finished = bent;
+        const bool reached = [&] {
+            const Stopwatch watch(run.seconds(), "postprocess");
+            return finish(finished, part, goal, resolution, task, frameWatch(part, run));
+        }();
+        result.cutShort = run.stopped();
+        if (result.cutShort && !request.keepUnfinished)
+            return DesignRun::cancelled();
+        takeCast(result, part, finished.surface, run);
+        if (result.castable || !reached || result.cutShort)
+            break;
+    }
+    return result;
+}
+
+Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& run) {
+    const Stopwatch watch(run.seconds(), attempt.fill ? "fill" : "plane");
+    Result<PartedPart> part = attempt.fill ? filledSurface(*attempt.shape, attempt.state, *attempt.fill, task)
+                                           : partSurface(*attempt.shape, attempt.state, task);
+    if (part && !run.request().mergePieces &&
+        connectedComponents(part->surface.mesh).count < connectedComponents(*attempt.shape).count)
+        return failure(ErrorCode::Impossible,
+                       MW_TEXT("design",
+                               "Filling would join pieces of the part that are apart. Allow it, take "
+                               "them apart further, or give another plane."));
+    return part;
+}
+
+/// The part with tetrahedra inside; parted with more caution where TetGen refuses it.
+Result<PartedSolid> tetrahedralized(const Attempt& attempt, const PartedPart& part, const Task& task,
+                                    DesignRun& run) {
+    const Stopwatch watch(run.seconds(), "tetrahedralize");
+    if (Result<TetMesh> tets = tetrahedralize(part.surface.mesh, task))
+        return PartedSolid{part, std::move(*tets)};
+    return attempt.fill ? filledSolid(*attempt.shape, attempt.state, *attempt.fill, task)
+                        : partSolid(*attempt.shape, attempt.state, task);
+}
+
+/// Bends the part's own tetrahedra.
+Result<DesignResult> bendWhole(const Attempt& attempt, const PartedPart& part, const Task& task,
+                               DesignRun& run) {
+    const ShapeGoal goal = goalOf(attempt, run);
+    const Result<PartedSolid> solid = tetrahedralized(attempt, part, task, run);
+    if (!solid)
+        return std::unexpected(solid.error());
+    const BentShape bent = [&] {
+        const Stopwatch watch(run.seconds(), "elastoplastic");
+        return bend(*solid, goal, task.part(0, 0.8), frameWatch(*solid, run));
+    }();
+    Result<DesignResult> result = finishAndProve(*solid, bent, goal, task.part(0.8, 1), run);
+    if (result)
+        result->tets = static_cast<int>(solid->tets.T.rows());
+    return result;
+}
+
+} // namespace
+
+Result<DesignResult> tryAttempt(const Attempt& attempt, const Task& task, DesignRun& run) {
+    const ShapeGoal goal = goalOf(attempt, run);
+    const Result<PartedPart> part = parted(attempt, task, run);
+    if (!part)
+        return std::unexpected(part.error());
+    if (passesAlready(*part, goal.draftDegrees))
+        return finishAndProve(*part, {surfaceAt(*part, part->surface.mesh.V), 0}, goal, task, run);
+    const std::optional<Proxy> proxy = [&]() -> std::optional<Proxy> {
+        const Stopwatch watch(run.seconds(), "tetrahedralize");
+        if (attempt.means == Means::Itself)
+            return std::nullopt;
+        return proxyOf(*part, attempt.means == Means::FineProxy ? ProxyDetail::Fine : ProxyDetail::Quick,
+                       task);
+    }();
+    if (!proxy)
+        return bendWhole(attempt, *part, task, run);
+    const BentShape bent = [&] {
+        const Stopwatch watch(run.seconds(), "elastoplastic");
+        return bendByProxy(*part, *proxy, goal, task.part(0, 0.6), frameWatch(*part, run));
+    }();
+    Result<DesignResult> result = finishAndProve(*part, bent, goal, task.part(0.6, 1), run);
+    if (result) {
+        result->tets = static_cast<int>(proxy->solid.tets.T.rows());
+        result->bentByProxy = true;
+    }
+    return result;
+}
+
+} // namespace moldwright
