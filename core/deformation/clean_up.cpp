@@ -143,10 +143,10 @@ private:
     /// What a forced collapse and the mending after it come to.
     struct Trial {
         LabelledMesh mesh;
-        int moreShort; ///< faces below τ, compared with before
+        int freed; ///< faces below τ before, less those after
         int changes;
         bool operator<(const Trial& other) const {
-            return std::pair(moreShort, changes) < std::pair(other.moreShort, other.changes);
+            return std::pair(-freed, changes) < std::pair(-other.freed, other.changes);
         }
     };
 
@@ -163,7 +163,7 @@ private:
         for (const Halfedge h : edges)
             if (m_mesh.mayCollapse(h)) {
                 Trial trial = tryForcing(h);
-                if (trial.moreShort < 0 && (!best || trial < *best))
+                if (trial.freed > 0 && (!best || trial < *best))
                     best.emplace(std::move(trial));
             }
         if (!best)
@@ -181,10 +181,8 @@ private:
             return surgery.topology().status(kept).deleted() ? std::vector<Face>{}
                                                              : surgery.facesAbout(kept, kRingsMended);
         });
-        int left = surgery.countShort(near);
-        for (std::size_t f = topology().n_faces(); f < surgery.topology().n_faces(); ++f)
-            left += surgery.isShort(Face(static_cast<int>(f)));
-        return {std::move(surgery.m_mesh), left - countShort(near), 1 + mended};
+        const int fewer = countShort(near) - surgery.countShort(near);
+        return {std::move(surgery.m_mesh), fewer, 1 + mended};
     }
 
     [[nodiscard]] int countShort(const std::vector<Face>& faces) const {
@@ -205,7 +203,7 @@ private:
             consider(tryCollapse(topology().opposite_halfedge_handle(h)));
         }
         if (!best)
-            return isShort(f) && (placeCorners(f) || splitEdges(f));
+            return isShort(f) && placeCorners(f);
         if (best->flip)
             m_mesh.flip(topology().edge_handle(best->halfedge));
         else
@@ -238,36 +236,6 @@ private:
         return true;
     }
 
-    /// Gives f and a neighbour a point between them. A slit or a sharp bay of the line needs it: around its
-    /// tip two faces cannot both look along the direction, three can.
-    bool splitEdges(Face f) {
-        for (const auto h : topology().fh_range(f))
-            if (!m_mesh.onCurve(topology().edge_handle(h)) && split(h))
-                return true;
-        return false;
-    }
-
-    bool split(Halfedge h) {
-        const Halfedge o = topology().opposite_halfedge_handle(h);
-        const Eigen::Vector3d& direction = m_goal.directions.of(m_mesh.label(topology().face_handle(h)));
-        std::vector<FaceToPlace> faces;
-        for (const Halfedge side : {h, o}) {
-            const Halfedge next = topology().next_halfedge_handle(side);
-            const Eigen::Vector3d& from = m_mesh.point(topology().to_vertex_handle(side));
-            const Eigen::Vector3d& tip = m_mesh.point(topology().to_vertex_handle(next));
-            faces.push_back({from, tip, direction});
-            faces.push_back({tip, m_mesh.point(topology().from_vertex_handle(side)), direction});
-        }
-        const Eigen::Vector3d middle = (faces[0].a + faces[2].a) / 2;
-        if (middle.z() == 0)
-            return false;
-        const Eigen::Vector3d place = bestPlace(faces, middle, boundsAt(middle, faces), m_goal.tau);
-        if (worst(faces, place) < m_goal.tau || thinnest(faces, place) < m_goal.smallestAltitude)
-            return false;
-        m_mesh.split(topology().edge_handle(h), place);
-        return true;
-    }
-
     static PlaceBounds boundsAt(const Eigen::Vector3d& place, const std::vector<FaceToPlace>& faces) {
         PlaceBounds bounds{0, kLowest * place.z(), kHighest * place.z()};
         if (place.z() < 0)
@@ -281,13 +249,6 @@ private:
         double least = 1;
         for (const FaceToPlace& face : faces)
             least = std::min(least, normalOf({place, face.a, face.b}).dot(face.direction));
-        return least;
-    }
-
-    static double thinnest(const std::vector<FaceToPlace>& faces, const Eigen::Vector3d& place) {
-        double least = altitude({place, faces[0].a, faces[0].b});
-        for (const FaceToPlace& face : faces)
-            least = std::min(least, altitude({place, face.a, face.b}));
         return least;
     }
 

@@ -4,7 +4,6 @@
 #include "deformation/curve_barrier.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace moldwright {
 
@@ -89,20 +88,6 @@ void LabelledMesh::collapse(Halfedge h) {
     m_mesh.collapse(h);
     if (along)
         std::erase_if(m_curvePoints, [&](Vertex v) { return m_mesh.status(v).deleted(); });
-}
-
-LabelledMesh::Vertex LabelledMesh::split(Edge e, const Eigen::Vector3d& place) {
-    assert(!onCurve(e));
-    const Halfedge h = m_mesh.halfedge_handle(e, 0);
-    const int side = label(m_mesh.face_handle(h));
-    const Vertex end = m_mesh.to_vertex_handle(h);
-    const Vertex source = onPlane(end) ? m_mesh.from_vertex_handle(h) : end;
-    const Vertex v = m_mesh.add_vertex(place);
-    m_mesh.property(m_source, v) = m_mesh.property(m_source, source);
-    m_mesh.split_edge(e, v);
-    for (const auto f : m_mesh.vf_range(v))
-        m_mesh.property(m_label, f) = static_cast<std::uint8_t>(side);
-    return v;
 }
 
 /// Losing a point joins its neighbours on the line: p–gone–kept becomes p–kept. The line stays simple exactly

@@ -13,7 +13,7 @@ namespace moldwright {
 struct LabelledSurface {
     IndexedMesh mesh;
     SideLabels labels;
-    std::vector<int> sourceVertex; ///< per point: the one it was before any clean-up, or was split from
+    std::vector<int> sourceVertex; ///< per point: which point it was before any clean-up
 };
 
 /// A labelled surface with topology (OpenMesh), and what may be done to its edges without spoiling the
@@ -49,10 +49,6 @@ public:
     void move(Vertex v, const Eigen::Vector3d& place) { m_mesh.point(v) = place; }
     void flip(Edge e) { m_mesh.flip(e); }
     void collapse(Halfedge h);
-
-    /// A new point on an edge off the line; both its faces become two. Its source is the edge's end off the
-    /// plane.
-    Vertex split(Edge e, const Eigen::Vector3d& place);
 
 private:
     [[nodiscard]] bool lineAllows(Halfedge h) const;

@@ -84,11 +84,10 @@ struct Before {
     EdgeGraph graph;
     EdgeGraph castGraph;
     std::vector<int> castVertex;
-    const std::vector<int>& source;
 
     Before(const IndexedMesh& part, const IndexedMesh& cast, const std::vector<int>& sourceVertex)
         : parted(part), size(diagonal(part)), graph(part), castGraph(cast),
-          castVertex(static_cast<std::size_t>(part.vertexCount()), -1), source(sourceVertex) {
+          castVertex(static_cast<std::size_t>(part.vertexCount()), -1) {
         for (std::size_t v = 0; v < sourceVertex.size(); ++v)
             castVertex[static_cast<std::size_t>(sourceVertex[v])] = static_cast<int>(v);
     }
@@ -135,6 +134,7 @@ std::optional<LimbMeasure> measureLimb(const Before& before, const IndexedMesh& 
         inside[v] = was[v] <= reach;
         if (c < 0)
             continue;
+        castInside[static_cast<std::size_t>(c)] = inside[v];
         if (std::abs(was[v] - reach) > kReachStep * before.size)
             continue;
         lengthWas += was[v];
@@ -143,8 +143,6 @@ std::optional<LimbMeasure> measureLimb(const Before& before, const IndexedMesh& 
         apexIs += cast.point(c);
         ++rim;
     }
-    for (std::size_t c = 0; c < castInside.size(); ++c)
-        castInside[c] = inside[static_cast<std::size_t>(before.source[c])];
     if (rim == 0)
         return std::nullopt;
     const double volumeWas = capVolume(before.parted, inside, apexWas / rim);
