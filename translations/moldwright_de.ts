@@ -4,6 +4,14 @@
 <context>
     <name>Actions</name>
     <message>
+        <source>Take the &amp;suggested plane</source>
+        <translation>Vor&amp;geschlagene Ebene nehmen</translation>
+    </message>
+    <message>
+        <source>Part the part where nothing stands in the way of the mold.</source>
+        <translation>Das Teil dort teilen, wo der Form nichts im Weg steht.</translation>
+    </message>
+    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -1255,16 +1263,16 @@
         <translation>Die Ebene um {0} mm zur Seite {1} hin verschieben: dort steht nichts im Weg.</translation>
     </message>
     <message>
-        <source>Part it at the plane {0}·x + {1}·y + {2}·z = {3} mm instead: nothing is in the way there.</source>
-        <translation>Stattdessen an der Ebene {0}·x + {1}·y + {2}·z = {3} mm teilen: dort steht nichts im Weg.</translation>
+        <source>Part it square to ({0}, {1}, {2}), {3} mm from the origin, instead: nothing is in the way there.</source>
+        <translation>Stattdessen quer zu ({0}, {1}, {2}) teilen, {3} mm vom Ursprung: dort steht nichts im Weg.</translation>
     </message>
     <message>
-        <source>Have it joined to the piece beside it: that fills in {0} mm³, {1} % of the part.</source>
-        <translation>Mit dem Stück daneben verbinden lassen: das füllt {0} mm³ auf, {1} % des Teils.</translation>
+        <source>Have it joined to the piece beside it: that fills in {0} cm³, {1} % of the part.</source>
+        <translation>Mit dem Stück daneben verbinden lassen: das füllt {0} cm³ auf, {1} % des Teils.</translation>
     </message>
     <message>
-        <source>Fill it: that takes {0} mm³, {1} % of the part.</source>
-        <translation>Es füllen: dazu braucht es {0} mm³, {1} % des Teils.</translation>
+        <source>Fill it: that takes {0} cm³, {1} % of the part.</source>
+        <translation>Es füllen: dazu braucht es {0} cm³, {1} % des Teils.</translation>
     </message>
     <message>
         <source>Pin the point {0} to the plane, {1} mm away, so that the plane runs through it.</source>
@@ -2162,6 +2170,14 @@
 </context>
 <context>
     <name>moldwright::Workbench</name>
+    <message>
+        <source>Suggested plane</source>
+        <translation>Vorgeschlagene Ebene</translation>
+    </message>
+    <message>
+        <source>Suggested plane taken: nothing is in the way of the mold there. Run bends the part.</source>
+        <translation>Vorgeschlagene Ebene genommen: dort steht der Form nichts im Weg. Starten biegt das Teil.</translation>
+    </message>
     <message>
         <source>Something inside Moldwright broke; your work is as it was.</source>
         <translation>In Moldwright ist etwas kaputtgegangen; die Arbeit ist, wie sie war.</translation>

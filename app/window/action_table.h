@@ -20,6 +20,7 @@ enum class Needs {
     IdlePart,
     Plane,
     IdlePlane,
+    SuggestedPlane,
     CastShape,
     ProvedCast,
     MoldBuilt,

@@ -222,6 +222,8 @@ void MainWindow::refreshActions() {
             return plane;
         case Needs::IdlePlane:
             return plane && idle;
+        case Needs::SuggestedPlane:
+            return idle && m_bench.suggestedPlane().has_value();
         case Needs::CastShape:
             return idle && project.cast != nullptr;
         case Needs::ProvedCast:

@@ -118,6 +118,11 @@ void MainWindow::connectPartActions() {
     m_actions.on(u"centre"_s, [this] { m_bench.centrePart(); });
     m_actions.on(u"best-plane"_s, [this] { m_bench.findBestPlane(); });
     m_actions.on(u"next-plane"_s, [this] { m_bench.takeNextPlane(); });
+    m_actions.on(u"suggested-plane"_s, [this] {
+        m_banner->hide();
+        select(u"plane"_s);
+        m_bench.takeSuggestedPlane();
+    });
     m_actions.on(u"best-directions"_s, [this] { m_bench.findBestDirections(); });
     m_actions.on(u"normal-directions"_s, [this] {
         const PartingPlane plane = m_bench.project().state->plane;

@@ -179,10 +179,16 @@ PropertyPage obstructionPage(int number, const Workbench& bench, const Actions& 
                              {},
                              false});
     std::vector<QAction*> remedies = {actions[remedyFor(obstruction)]};
+    QStringList known;
+    for (const Remedy& remedy : obstruction.remedies) {
+        known << sentence(remedy.message);
+        if (remedy.state)
+            remedies.push_back(actions[u"suggested-plane"_s]);
+    }
     for (const QString& id : {u"best-plane"_s, u"next-plane"_s, u"fill-and-run"_s})
         if (actions[id] != remedies.front())
             remedies.push_back(actions[id]);
-    page.sections.push_back({Words::tr("What helps"), {}, remedies, true});
+    page.sections.push_back({Words::tr("What helps"), {}, remedies, true, known});
     return page;
 }
 

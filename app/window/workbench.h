@@ -118,6 +118,10 @@ public:
     // Plane and directions
     void findBestPlane();
     void takeNextPlane();
+    /// A plane at which none of the obstructions() stands in the way, if the run found one.
+    [[nodiscard]] std::optional<MoldState> suggestedPlane() const;
+    /// Precondition: there is one.
+    void takeSuggestedPlane();
     void findBestDirections();
     void setState(const MoldState& state, const QString& words, const QString& mergeKey = {});
 

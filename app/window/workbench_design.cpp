@@ -99,6 +99,20 @@ void Workbench::takeNextPlane() {
                             .arg(project().design.draftDegrees, 0, 'f', 1));
 }
 
+std::optional<MoldState> Workbench::suggestedPlane() const {
+    for (const Obstruction& obstruction : obstructions())
+        for (const Remedy& remedy : obstruction.remedies)
+            if (remedy.state)
+                return remedy.state;
+    return std::nullopt;
+}
+
+void Workbench::takeSuggestedPlane() {
+    setState(*suggestedPlane(), tr("Suggested plane"));
+    say(Standing::Done,
+        tr("Suggested plane taken: nothing is in the way of the mold there. Run bends the part."));
+}
+
 void Workbench::findBestDirections() {
     const Project from = m_document.committed();
     m_background.start(tr("Searching directions"), [=, this](const Task&) -> Background::Finish {

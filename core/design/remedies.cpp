@@ -21,14 +21,14 @@ constexpr double kPinReach = 0.25; ///< in diagonals: points farther from the pl
 
 using Kind = Obstruction::Kind;
 
-/// Three figures: facts to choose by.
-std::string figure(double x) {
-    return readable(x, 3);
+/// Rounded to so many decimals: facts to choose by, not to compute with.
+std::string figure(double x, int decimals) {
+    const double unit = std::pow(10, decimals);
+    return readable(std::round(unit * x) / unit + 0.0);
 }
 
 std::string placeText(const Eigen::Vector3d& p) {
-    const auto tenth = [](double x) { return readable(std::round(10 * x) / 10 + 0.0); };
-    return "(" + tenth(p.x()) + ", " + tenth(p.y()) + ", " + tenth(p.z()) + ")";
+    return "(" + figure(p.x(), 1) + ", " + figure(p.y(), 1) + ", " + figure(p.z(), 1) + ")";
 }
 
 /// The quick way to be sure of a plane: without bringing points across it first.
@@ -51,7 +51,7 @@ std::optional<Remedy> movedPlane(const IndexedMesh& shape, const PartingPlane& p
                 return Remedy{Remedy::Kind::Plane,
                               {MW_TEXT("design", "Move the plane by {0} mm towards side {1}: nothing is in "
                                                  "the way there."),
-                               {figure(std::abs(shift)), shift > 0 ? "1" : "2"}},
+                               {figure(std::abs(shift), 1), shift > 0 ? "1" : "2"}},
                               state,
                               0,
                               Eigen::Vector3d::Zero()};
@@ -69,9 +69,9 @@ std::optional<Remedy> otherPlane(const IndexedMesh& shape, DesignRun& run) {
         const Eigen::Vector3d& n = candidate.state.plane.normal;
         return Remedy{
             Remedy::Kind::Plane,
-            {MW_TEXT("design", "Part it at the plane {0}·x + {1}·y + {2}·z = {3} mm instead: nothing "
+            {MW_TEXT("design", "Part it square to ({0}, {1}, {2}), {3} mm from the origin, instead: nothing "
                                "is in the way there."),
-             {figure(n.x()), figure(n.y()), figure(n.z()), figure(candidate.state.plane.offset)}},
+             {figure(n.x(), 3), figure(n.y(), 3), figure(n.z(), 3), figure(candidate.state.plane.offset, 2)}},
             candidate.state,
             0,
             Eigen::Vector3d::Zero()};
@@ -80,18 +80,19 @@ std::optional<Remedy> otherPlane(const IndexedMesh& shape, DesignRun& run) {
 }
 
 Remedy filling(bool joins, double volumeFilled, double partVolume) {
-    const std::vector<std::string> facts{figure(volumeFilled), figure(100 * volumeFilled / partVolume)};
+    const std::vector<std::string> facts{figure(volumeFilled / 1000, 2),
+                                         figure(100 * volumeFilled / partVolume, 1)};
     if (joins)
         return {
             Remedy::Kind::Merge,
-            {MW_TEXT("design", "Have it joined to the piece beside it: that fills in {0} mm³, {1} % of the "
+            {MW_TEXT("design", "Have it joined to the piece beside it: that fills in {0} cm³, {1} % of the "
                                "part."),
              facts},
             {},
             volumeFilled,
             Eigen::Vector3d::Zero()};
     return {Remedy::Kind::Fill,
-            {MW_TEXT("design", "Fill it: that takes {0} mm³, {1} % of the part."), facts},
+            {MW_TEXT("design", "Fill it: that takes {0} cm³, {1} % of the part."), facts},
             {},
             volumeFilled,
             Eigen::Vector3d::Zero()};
@@ -110,7 +111,7 @@ std::optional<Remedy> pin(const SidePiece& piece, const PartedMesh& surface, con
     return Remedy{Remedy::Kind::Pin,
                   {MW_TEXT("design", "Pin the point {0} to the plane, {1} mm away, so that the plane runs "
                                      "through it."),
-                   {placeText(point), figure(std::abs(highest.z()) * frame.scale())}},
+                   {placeText(point), figure(std::abs(highest.z()) * frame.scale(), 1)}},
                   {},
                   0,
                   point};

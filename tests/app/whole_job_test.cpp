@@ -222,7 +222,19 @@ TEST(WholeJob, AnObstructionIsMarkedListedShownAndFilled) {
     QTest::qWait(300);
     EXPECT_EQ(panel->pageId(), QStringLiteral("obstruction-0"));
 
-    driver.click("banner-action");
+    // The plane that the run suggests is taken and given back in one step.
+    const auto suggested = driver.bench().suggestedPlane();
+    ASSERT_TRUE(suggested);
+    const auto plane = driver.bench().project().state;
+    driver.click("button-suggested-plane");
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_EQ(driver.bench().project().state, suggested);
+    EXPECT_FALSE(driver.window().actions()[QStringLiteral("suggested-plane")]->isEnabled());
+    driver.press("Ctrl+Z");
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_EQ(driver.bench().project().state, plane);
+
+    driver.window().actions()[QStringLiteral("fill-and-run")]->trigger();
     ASSERT_TRUE(driver.waitIdle(300000));
     ASSERT_TRUE(driver.bench().project().cast);
     EXPECT_EQ(verdict(driver), QStringLiteral("Castable"));

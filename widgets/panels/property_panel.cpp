@@ -146,6 +146,12 @@ void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* colu
         m_rows[property.id] = row;
     }
     column->addLayout(grid);
+    for (const QString& note : section.notes) {
+        QLabel* paragraph = makeLabel(note, this, false);
+        paragraph->setWordWrap(true);
+        paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        column->addWidget(paragraph);
+    }
     addButtons(section, column);
 }
 

@@ -46,13 +46,14 @@ struct Property {
     std::variant<NumberProperty, ChoiceProperty, ReadingProperty> kind;
 };
 
-/// A section: rows, then its buttons, two side by side. The first action of a primary section is the filled
-/// one.
+/// A section: rows, then paragraphs, then its buttons, two side by side. The first action of a primary
+/// section is the filled one.
 struct PropertySection {
     QString title;
     std::vector<Property> rows;
     std::vector<QAction*> buttons;
     bool primary = false;
+    QStringList notes = {};
 };
 
 struct PropertyPage {
