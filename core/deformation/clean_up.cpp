@@ -228,9 +228,11 @@ private:
                              m_goal.directions.of(m_mesh.label(f))});
         }
         const Eigen::Vector3d old = m_mesh.point(v);
-        const Eigen::Vector3d place = bestPlace(faces, old, boundsAt(old, faces), m_goal.tau);
         const double before = worst(faces, old);
-        if (before >= m_goal.tau || worst(faces, place) <= before + kGain)
+        if (before >= m_goal.tau)
+            return false;
+        const Eigen::Vector3d place = bestPlace(faces, old, boundsAt(old, faces), m_goal.tau);
+        if (worst(faces, place) <= before + kGain)
             return false;
         m_mesh.move(v, place);
         return true;

@@ -6,12 +6,10 @@
 #include "design/paper_method.h"
 #include "design/parting.h"
 #include "design/remedies.h"
-#include "mesh/check.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
+#include <vector>
 
 namespace moldwright {
 
