@@ -2,6 +2,7 @@
 #include "mesh/geodesic.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -13,6 +14,8 @@ namespace {
 
 constexpr int kSources = 20; ///< that the mean distance is taken to
 constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kAlike = 1e-9; ///< share by which lengths differ by rounding alone: then the index decides,
+                                ///< so that a turned part has its tips in the same places
 
 /// Mean distance to points spread over the surface, each the farthest from those before it.
 std::vector<double> meanDistance(const EdgeGraph& graph) {
@@ -21,12 +24,13 @@ std::vector<double> meanDistance(const EdgeGraph& graph) {
     int source = 0;
     for (int i = 0; i < std::min(kSources, graph.size()); ++i) {
         const std::vector<double> distance = graph.distances({source});
-        double farthest = -1;
+        double farthest = 0;
+        source = 0;
         for (std::size_t v = 0; v < mean.size(); ++v) {
             if (distance[v] < kFar)
                 mean[v] += distance[v] / kSources;
             nearest[v] = std::min(nearest[v], distance[v]);
-            if (nearest[v] < kFar && nearest[v] > farthest) {
+            if (nearest[v] < kFar && nearest[v] > farthest * (1 + kAlike)) {
                 farthest = nearest[v];
                 source = static_cast<int>(v);
             }
@@ -75,7 +79,11 @@ std::vector<double> EdgeGraph::distances(const std::vector<int>& sources) const 
 }
 
 std::vector<int> limbTips(const EdgeGraph& graph, double prominence) {
-    const std::vector<double> height = meanDistance(graph);
+    std::vector<double> height = meanDistance(graph);
+    const double step = kAlike * *std::max_element(height.begin(), height.end());
+    if (step > 0)
+        for (double& h : height)
+            h = step * std::round(h / step);
     std::vector<int> order(height.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "pins/simplify.h"
+
+#include "base/parallel.h"
+#include "pins/collapsing_axis.h"
+
+#include <algorithm>
+#include <optional>
+#include <queue>
+
+namespace moldwright {
+
+namespace {
+
+constexpr int kFewBalls = 50; ///< from here on ends and loops are kept
+constexpr std::size_t kGrain = 1024;
+constexpr int kAskEvery = 256; ///< collapses between questions whether to stop
+
+/// An edge and its cost when its balls had these ages.
+struct Entry {
+    double cost;
+    int u, v;
+    unsigned age; ///< both balls' together
+
+    bool operator>(const Entry& o) const {
+        if (cost != o.cost)
+            return cost > o.cost;
+        return age != o.age ? age > o.age : std::pair(u, v) > std::pair(o.u, o.v);
+    }
+};
+
+Entry entryOf(const CollapsingAxis& axis, int u, int v) {
+    return {axis.collapseOf(u, v).cost, std::min(u, v), std::max(u, v), axis.age(u) + axis.age(v)};
+}
+
+/// Down to `count` balls, by cost alone.
+void collapseTo(int count, CollapsingAxis& axis, const std::vector<std::array<int, 2>>& edges,
+                const Task& task) {
+    std::vector<Entry> first(edges.size());
+    parallelFor(edges.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e)
+            first[e] = entryOf(axis, edges[e][0], edges[e][1]);
+    });
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(), std::move(first));
+    const int all = axis.ballCount();
+    while (axis.ballCount() > count && !queue.empty()) {
+        const auto [cost, u, v, age] = queue.top();
+        queue.pop();
+        if (axis.gone(u) || axis.gone(v) || axis.age(u) + axis.age(v) != age)
+            continue;
+        const int merged = axis.collapse(u, v, axis.collapseOf(u, v).ball);
+        for (const int w : axis.neighbours(merged))
+            queue.push(entryOf(axis, merged, w));
+        if (const int done = all - axis.ballCount(); done % kAskEvery == 0) {
+            if (task.stopped())
+                return;
+            task.progress(static_cast<double>(done) / (all - count), "pins");
+        }
+    }
+}
+
+/// The cheapest collapse that keeps ends and loops.
+std::optional<Entry> cheapestKeeping(const CollapsingAxis& axis) {
+    std::optional<Entry> best;
+    for (int u = 0; u < axis.numbers(); ++u)
+        for (const int v : axis.neighbours(u)) {
+            if (u > v || axis.losesEndOrLoop(u, v))
+                continue;
+            const Entry entry = entryOf(axis, u, v);
+            if (!best || *best > entry)
+                best = entry;
+        }
+    return best;
+}
+
+} // namespace
+
+MedialMesh simplify(const MedialMesh& axis, int count, const Task& task) {
+    CollapsingAxis collapsing(axis);
+    collapseTo(std::max(kFewBalls, count + count / 4), collapsing, axis.edges, task);
+    while (collapsing.ballCount() > count && !task.stopped()) {
+        const std::optional<Entry> next = cheapestKeeping(collapsing);
+        if (!next)
+            break;
+        collapsing.collapse(next->u, next->v, collapsing.collapseOf(next->u, next->v).ball);
+    }
+    return collapsing.axis();
+}
+
+} // namespace moldwright
