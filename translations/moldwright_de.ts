@@ -1279,6 +1279,14 @@
         <translation>Den Punkt {0} an die {1} mm entfernte Ebene heften, so dass sie durch ihn geht.</translation>
     </message>
     <message>
+        <source>The pins draw the part through itself at ({0}, {1}, {2}). Leave one of them out, or give another plane.</source>
+        <translation>Die Stifte ziehen das Teil bei ({0}, {1}, {2}) durch sich selbst hindurch. Einen davon weglassen oder eine andere Ebene angeben.</translation>
+    </message>
+    <message>
+        <source>A pinned point of the surface could not be made a point of the parting line. Pin a point inside the part instead.</source>
+        <translation>Ein angehefteter Punkt der Oberfläche ließ sich nicht zu einem Punkt der Trennlinie machen. Stattdessen einen Punkt im Inneren des Teils anheften.</translation>
+    </message>
+    <message>
         <source>The design was cancelled.</source>
         <translation>Der Entwurf wurde abgebrochen.</translation>
     </message>
@@ -1498,6 +1506,10 @@
         <translation>Das Arbeiterprogramm endete ohne Antwort (Code {0}).</translation>
     </message>
     <message>
+        <source>TetGen left out a point inside the surface.</source>
+        <translation>TetGen ließ einen Punkt im Inneren der Oberfläche aus.</translation>
+    </message>
+    <message>
         <source>The worker program {0} could not be started: {1}.</source>
         <translation>Das Arbeiterprogramm {0} ließ sich nicht starten: {1}.</translation>
     </message>
@@ -1614,6 +1626,13 @@
     <message>
         <source>The surface of {0} has only one side: its faces cannot all look outward, as near {1}. It has no inside to cast.</source>
         <translation>Die Oberfläche von {0} hat nur eine Seite: ihre Flächen können nicht alle nach außen sehen, so nahe {1}. Sie hat kein Inneres zum Gießen.</translation>
+    </message>
+</context>
+<context>
+    <name>pins</name>
+    <message>
+        <source>The search for pins was cancelled.</source>
+        <translation>Die Suche nach Stiften wurde abgebrochen.</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "cli/design_command.h"
 #include "cli/info_command.h"
 #include "cli/mold_command.h"
+#include "cli/pins_command.h"
 #include "cli/plane_command.h"
 #include "cli/report_command.h"
 #include "cli/verify_command.h"
@@ -13,7 +14,7 @@ namespace moldwright::cli {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {
-        checkCommand(), planeCommand(),  analyzeCommand(), designCommand(),
+        checkCommand(), planeCommand(),  analyzeCommand(), pinsCommand(), designCommand(),
         moldCommand(),  verifyCommand(), reportCommand(),  infoCommand(),
     };
     return all;

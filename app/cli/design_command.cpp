@@ -2,8 +2,10 @@
 #include "cli/design_command.h"
 
 #include "cli/design_files.h"
+#include "cli/guide_files.h"
 #include "cli/load_part.h"
 #include "cli/render_client.h"
+#include "cli/size_options.h"
 #include "cli/state_options.h"
 #include "design/stopwatch.h"
 #include "mesh/measures.h"
@@ -30,31 +32,16 @@ struct DesignOptions {
     StateOptions state;
     std::string directions = "auto";
     std::string pins = "none";
+    std::string weights;
     std::string fill = "auto";
     bool merge = false;
     std::string method = "default";
-    std::string units = "mm";
-    double scale = 1;
-    double size = 0;
+    SizeOptions size;
     double maxTilt = 30;
     bool mold = false;
     bool report = false;
     MoldSettings block;
 };
-
-const std::map<std::string, Unit> kUnits = {
-    {"mm", Unit::Millimetre}, {"cm", Unit::Centimetre}, {"m", Unit::Metre}, {"in", Unit::Inch}};
-const std::map<std::string, double> kMillimetres = {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}};
-
-/// The file's numbers to millimetres: the unit, then the scale or the size asked for.
-Placement placementFor(const DesignOptions& options, const IndexedMesh& source) {
-    Placement placement;
-    placement.unit = kUnits.at(options.units);
-    placement.scale = kMillimetres.at(options.units) * options.scale;
-    if (options.size > 0)
-        placement.scale = options.size / boundingBox(source).sizes().maxCoeff();
-    return placement;
-}
 
 std::vector<Message> warningsFor(const IndexedMesh& part, const DesignResult& result) {
     std::vector<Message> warnings;
@@ -73,6 +60,23 @@ std::vector<Message> warningsFor(const IndexedMesh& part, const DesignResult& re
     return warnings;
 }
 
+/// Pins and importance from their files.
+Result<void> takeGuides(const DesignOptions& options, DesignRequest& request) {
+    if (options.pins != "none") {
+        Result<std::vector<Pin>> pins = readPins(options.pins, *request.part);
+        if (!pins)
+            return std::unexpected(pins.error());
+        request.pins = std::move(*pins);
+    }
+    if (!options.weights.empty()) {
+        Result<std::vector<double>> weights = readWeights(options.weights, *request.part);
+        if (!weights)
+            return std::unexpected(weights.error());
+        request.faceWeights = std::move(*weights);
+    }
+    return {};
+}
+
 Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, const Session& session) {
     DesignRequest request;
     request.part = std::move(part);
@@ -89,6 +93,8 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
     } else if (options.directions == "normal") {
         request.directionsChoice = DirectionsChoice::Normal;
     }
+    if (const Result<void> guides = takeGuides(options, request); !guides)
+        return std::unexpected(guides.error());
     request.draftDegrees = options.state.draft;
     request.maxTiltDegrees = options.maxTilt;
     request.method = options.method == "paper" ? DeformationMethod::Paper : DeformationMethod::Default;
@@ -108,6 +114,8 @@ Project projectOf(const DesignOptions& options, const IndexedMesh& source, const
     const std::filesystem::path file(options.input);
     project = withPart(std::move(project), file.stem().string(), file.filename().string(),
                        std::make_shared<const IndexedMesh>(source), placement);
+    project.pins = request.pins;
+    project.faceWeights = request.faceWeights;
     project = withState(std::move(project), result.state, request.plane.has_value());
     return result.castable ? withCast(std::move(project), result, request.draftDegrees) : project;
 }
@@ -188,7 +196,7 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
     }();
     if (!source)
         return std::unexpected(source.error());
-    const Placement placement = placementFor(options, *source);
+    const Placement placement = options.size.placementFor(*source);
     const auto part = std::make_shared<const IndexedMesh>(placed(*source, placement));
     const Result<DesignRequest> request = requestFor(options, part, session);
     if (!request)
@@ -223,19 +231,14 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     app.add_option("--method", o.method, "default, or paper: the published method as described")
         ->check(CLI::IsMember({"default", "paper"}))
         ->capture_default_str();
-    app.add_option("--pins", o.pins, "none")->check(CLI::IsMember({"none"}))->capture_default_str();
+    app.add_option("--pins", o.pins, "none, or a JSON file of points to draw into the plane")
+        ->capture_default_str();
+    app.add_option("--weights", o.weights, "JSON file of regions that are to keep their shape");
     app.add_option("--fill", o.fill, "auto: what no bending frees is filled; none: it is named")
         ->check(CLI::IsMember({"auto", "none"}))
         ->capture_default_str();
     app.add_flag("--merge", o.merge, "Filling may join pieces of the part that are apart");
-    app.add_option("--units", o.units, "Unit of the file's numbers")
-        ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
-        ->capture_default_str();
-    CLI::Option* scale =
-        app.add_option("--scale", o.scale, "Factor on the file's size")->check(CLI::PositiveNumber);
-    app.add_option("--size", o.size, "Longest side of the part, mm")
-        ->check(CLI::PositiveNumber)
-        ->excludes(scale);
+    o.size.declare(app);
     app.add_flag("--mold", o.mold, "Also build, prove and write the mold halves");
     app.add_flag("--report", o.report, "Also write the printable report, report.pdf");
     app.add_option("--wall", o.block.wall, "Steel around the cavity, mm")->check(CLI::PositiveNumber);

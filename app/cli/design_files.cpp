@@ -114,6 +114,12 @@ Json designJson(const std::string& inputFile, const DesignRequest& request, cons
         json["limbs"].push_back({{"tip", cli::jsonOf(limb.tip)},
                                  {"length_ratio", limb.lengthRatio},
                                  {"volume_ratio", limb.volumeRatio}});
+    if (!request.pins.empty())
+        json["pins"] = Json::array();
+    for (std::size_t i = 0; i < result.pins.size(); ++i)
+        json["pins"].push_back({{"point", cli::jsonOf(request.pins[i].point)},
+                                {"place", cli::jsonOf(result.pins[i].place)},
+                                {"distance_from_plane", result.pins[i].distanceFromPlane}});
     for (const Obstruction& obstruction : result.obstructions)
         json["obstructions"].push_back(jsonOf(obstruction, volume(part)));
     return json;

@@ -37,14 +37,17 @@ Result<std::string> tetrahedralizeJob(const std::string& request) {
     std::string switches = reader.text() + "Q";
     const auto V = reader.matrix<Points>();
     const auto F = reader.matrix<Triangles>();
+    const auto inside = reader.matrix<Points>();
     if (!reader.whole() || F.rows() == 0 || F.minCoeff() < 0 || F.maxCoeff() >= V.rows())
         return failure(ErrorCode::Worker, MW_TEXT("exchange", "The worker program was asked for nothing."));
     tetgenio in;
+    tetgenio inner;
     tetgenio out;
     setPoints(in, V);
     setFacets(in, F);
+    setPoints(inner, inside);
     try {
-        ::tetrahedralize(switches.data(), &in, &out);
+        ::tetrahedralize(switches.data(), &in, &out, &inner);
     } catch (int code) { // TetGen throws plain numbers
         return failure(ErrorCode::Worker, MW_TEXT("exchange", "TetGen gave up on this surface (code {0})."),
                        {std::to_string(code)});

@@ -6,6 +6,7 @@
 #include "castability/float_rounding.h"
 #include "design/castable_shape.h"
 #include "design/comparison.h"
+#include "design/pins_in_plane.h"
 #include "design/proxy.h"
 #include "design/stopwatch.h"
 #include "exchange/tetrahedralize.h"
@@ -27,12 +28,13 @@ double floatStep(const IndexedMesh& part) {
 }
 
 /// Rounds to floats, proves, measures.
-void takeCast(DesignResult& result, const PartedPart& part, const LabelledSurface& surface, DesignRun& run) {
+void takeCast(DesignResult& result, const PartedPart& part, const BentShape& bent, DesignRun& run) {
     const Stopwatch watch(run.seconds(), "postprocess");
     const DesignRequest& request = run.request();
+    const LabelledSurface& surface = bent.surface;
     const IndexedMesh rounded = roundKeepingDraft(part.frame.toPart(surface.mesh), surface.labels,
                                                   part.state.directions, request.draftDegrees);
-    const IndexedMesh before = part.frame.toPart(part.surface.mesh);
+    const IndexedMesh& before = part.before;
     const std::vector<int>& source = surface.sourceVertex;
     DraftAnalysis analysis;
     result.labels = surface.labels;
@@ -42,6 +44,7 @@ void takeCast(DesignResult& result, const PartedPart& part, const LabelledSurfac
          [&] { result.change = measureChange(*request.part, before, rounded, source); },
          [&] { result.strain = surfaceStrain(before, rounded, source); },
          [&] { analysis = analyzeDraft(rounded, part.state, request.draftDegrees, false); }});
+    result.pins = pinnedPoints(bent.pins, part, rounded, source);
     result.castable = result.certificate.holds();
     result.energy = analysis.energy;
     // On an oblique plane rounded points lie a hair off it and analysis sees two pieces: the proof has
@@ -82,7 +85,7 @@ Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& ben
         result.cutShort = run.stopped();
         if (result.cutShort && !request.keepUnfinished)
             return DesignRun::cancelled();
-        takeCast(result, part, finished.surface, run);
+        takeCast(result, part, finished, run);
         if (result.castable || !reached || result.cutShort)
             break;
     }
@@ -91,8 +94,11 @@ Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& ben
 
 Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& run) {
     const Stopwatch watch(run.seconds(), attempt.fill ? "fill" : "plane");
-    Result<PartedPart> part = attempt.fill ? filledSurface(*attempt.shape, attempt.state, *attempt.fill, task)
-                                           : partSurface(*attempt.shape, attempt.state, task);
+    Result<PartedPart> part =
+        attempt.fill ? filledSurface(*attempt.shape, attempt.state, *attempt.fill, task, attempt.pins)
+                     : partSurface(*attempt.shape, attempt.state, task, attempt.pins);
+    if (part)
+        part->before = beforePinning(*part, *attempt.shape, *run.request().part);
     if (part && !run.request().mergePieces &&
         connectedComponents(part->surface.mesh).count < connectedComponents(*attempt.shape).count)
         return failure(ErrorCode::Impossible,
@@ -106,10 +112,15 @@ Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& r
 Result<PartedSolid> tetrahedralized(const Attempt& attempt, const PartedPart& part, const Task& task,
                                     DesignRun& run) {
     const Stopwatch watch(run.seconds(), "tetrahedralize");
-    if (Result<TetMesh> tets = tetrahedralize(part.surface.mesh, task))
+    if (Result<TetMesh> tets =
+            tetrahedralize(part.surface.mesh, task, kTetGenSwitches, innerPlaces(part.pins)))
         return PartedSolid{part, std::move(*tets)};
-    return attempt.fill ? filledSolid(*attempt.shape, attempt.state, *attempt.fill, task)
-                        : partSolid(*attempt.shape, attempt.state, task);
+    Result<PartedSolid> solid =
+        attempt.fill ? filledSolid(*attempt.shape, attempt.state, *attempt.fill, task, attempt.pins)
+                     : partSolid(*attempt.shape, attempt.state, task, attempt.pins);
+    if (solid)
+        solid->before = beforePinning(*solid, *attempt.shape, *run.request().part);
+    return solid;
 }
 
 /// Bends the part's own tetrahedra.
@@ -137,7 +148,8 @@ Result<DesignResult> tryAttempt(const Attempt& attempt, const Task& task, Design
     if (!part)
         return std::unexpected(part.error());
     if (passesAlready(*part, goal.draftDegrees))
-        return finishAndProve(*part, {surfaceAt(*part, part->surface.mesh.V), 0}, goal, task, run);
+        return finishAndProve(*part, {surfaceAt(*part, part->surface.mesh.V), 0, false, part->pins}, goal,
+                              task, run);
     const std::optional<Proxy> proxy = [&]() -> std::optional<Proxy> {
         const Stopwatch watch(run.seconds(), "tetrahedralize");
         if (attempt.means == Means::Itself)

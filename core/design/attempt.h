@@ -5,6 +5,7 @@
 #include "design/parting.h"
 
 #include <optional>
+#include <vector>
 
 namespace moldwright {
 
@@ -17,6 +18,7 @@ struct Attempt {
     MoldState state;
     std::optional<FillExtent> fill;
     Means means = Means::QuickProxy;
+    std::vector<PlacedPin> pins{}; ///< of shape, part frame
 };
 
 /// Parts the part at the attempt's state, fills and bends it, finishes, rounds and proves the result, and

@@ -5,6 +5,7 @@
 #include "deformation/labelled_problem.h"
 #include "deformation/side_hinge.h"
 #include "deformation/tet_topology.h"
+#include "exchange/tetrahedralize.h"
 #include "mesh/measures.h"
 
 #include <cmath>
@@ -42,6 +43,11 @@ std::vector<double> solidFaceWeights(const PartedSolid& solid, const std::vector
     return weights;
 }
 
+/// The points of the tetrahedra that pins inside hold.
+std::vector<int> pinnedInside(const PartedSolid& solid) {
+    return innerPoints(solid.tets, solid.surface.mesh.vertexCount(), innerPlaces(solid.pins));
+}
+
 LabelledBody bodyOf(const PartedSolid& solid, const ShapeGoal& goal) {
     LabelledBody body;
     body.shape.V = solid.tets.V;
@@ -57,7 +63,20 @@ LabelledBody bodyOf(const PartedSolid& solid, const ShapeGoal& goal) {
     body.held.assign(static_cast<std::size_t>(solid.tets.V.rows()), 0);
     for (int v = 0; v < solid.surface.mesh.vertexCount(); ++v)
         body.held[static_cast<std::size_t>(v)] = solid.surface.mesh.V(v, 2) == 0;
+    for (const int v : pinnedInside(solid))
+        body.held[static_cast<std::size_t>(v)] = 1;
     return body;
+}
+
+/// The pins of a solid whose points are at X.
+std::vector<PlacedPin> pinsAt(const PartedSolid& solid, const Positions& X) {
+    std::vector<PlacedPin> pins = solid.pins;
+    const std::vector<int> inside = pinnedInside(solid);
+    std::size_t next = 0;
+    for (PlacedPin& pin : pins)
+        if (pin.surfacePoint < 0)
+            pin.place = X.row(inside[next++]).transpose();
+    return pins;
 }
 
 std::vector<double> restAreas(const IndexedMesh& mesh) {
@@ -111,7 +130,7 @@ BentShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task
             return !enough;
         });
     }
-    return {surfaceOf(solid, X), problem.iterations()};
+    return {surfaceOf(solid, X), problem.iterations(), false, pinsAt(solid, X)};
 }
 
 bool finish(BentShape& bent, const PartedPart& part, const ShapeGoal& goal, double resolution,

@@ -25,7 +25,8 @@ using ShapeWatch = std::function<void(const char* stage, const LabelledSurface&)
 struct BentShape {
     LabelledSurface surface;
     int iterations = 0;
-    bool followed = false; ///< its surface followed a stand-in's
+    bool followed = false;         ///< its surface followed a stand-in's
+    std::vector<PlacedPin> pins{}; ///< where those inside have come to; surfacePoint: of the part
 };
 
 /// The surface of a part with its parting line inserted, its points at X (n×3, working frame).

@@ -5,7 +5,10 @@
 #include "design/mold_states.h"
 #include "design/paper_method.h"
 #include "design/parting.h"
+#include "design/pinned_planes.h"
 #include "design/remedies.h"
+#include "design/stopwatch.h"
+#include "mesh/check.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,6 +23,7 @@ constexpr std::size_t kPlanesForLimbs = 3; ///< of these, tried when only a limb
 constexpr int kFacesBentWhole =
     60000;                           ///< larger parts bend by a stand-in only: theirs are too many tetrahedra
 constexpr int kPinSteps = 12;        ///< plastic steps that bring pins to the plane before the part is split
+constexpr int kPlanesForPins = 3;    ///< tried where pins came without a plane
 constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
 constexpr double kLimbVolume = 0.75; ///< share of its volume
 constexpr double kNearlyKept = 0.15; ///< missing shares, summed, that more detail may well bring back
@@ -125,7 +129,13 @@ void tryAgain(Tries& tries, const Task& task, DesignRun& run) {
     tries.again.clear();
 }
 
-Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {
+/// A part that pins have drawn into the plane, and where they are in it.
+struct PinnedShape {
+    SharedMesh shape;
+    std::vector<PlacedPin> pins; ///< part frame
+};
+
+Tries tryStates(const PinnedShape& part, MoldStates& states, DesignRun& run) {
     Tries tries;
     const double share = 0.7 / kPlanesTried;
     for (std::size_t i = 0; i < kPlanesTried && !tries.good() && !run.stopped(); ++i) {
@@ -136,18 +146,19 @@ Tries tryStates(const IndexedMesh& shape, MoldStates& states, DesignRun& run) {
             break;
         tries.first = tries.first ? tries.first : state;
         const double from = 0.1 + static_cast<double>(i) * share;
-        tryQuickly({&shape, *state, {}}, tries, run.task().part(from, from + share), run);
+        tryQuickly({part.shape.get(), *state, {}, Means::QuickProxy, part.pins}, tries,
+                   run.task().part(from, from + share), run);
     }
     tryAgain(tries, run.task().part(0.8, 0.95), run);
     return tries;
 }
 
 /// As little as needed first: the less is filled, the more of the part is kept.
-void fillWhereWanted(const IndexedMesh& shape, const MoldStates& states, Tries& tries, DesignRun& run) {
+void fillWhereWanted(const PinnedShape& part, const MoldStates& states, Tries& tries, DesignRun& run) {
     const MoldState state = tries.first.value_or(states.best());
     const Task task = run.task().part(0.95, 1);
     const auto tryFilling = [&](FillExtent extent) {
-        tryQuickly({&shape, state, extent}, tries, task, run);
+        tryQuickly({part.shape.get(), state, extent, Means::QuickProxy, part.pins}, tries, task, run);
         tryAgain(tries, task, run);
     };
     if (!tries.first && !run.stopped())
@@ -162,43 +173,55 @@ void tellObstructions(DesignResult& result, ObstructedPart obstructed, const Wor
     result.partedLabels = std::move(obstructed.surface.labels);
 }
 
-/// Pins first pull the whole part, unsplit, until they lie in the plane: [Stein 2019], Section 6.1.
-Result<SharedMesh> pinned(const MoldState& state, DesignRun& run) {
+Error drawnThroughItself(const IndexedMesh& part, int face) {
+    const Eigen::Vector3d place = (part.corner(face, 0) + part.corner(face, 1) + part.corner(face, 2)) / 3;
+    return {ErrorCode::Impossible,
+            {MW_TEXT("design", "The pins draw the part through itself at ({0}, {1}, {2}). Leave one of them "
+                               "out, or give another plane."),
+             {readable(place.x(), 3), readable(place.y(), 3), readable(place.z(), 3)}},
+            {},
+            {place}};
+}
+
+/// Pins first pull the whole part, unsplit, until they lie in the plane, and on as long as nothing crosses:
+/// [Stein 2019], Section 6.1.
+Result<PinnedShape> pinned(const MoldState& state, DesignRun& run) {
     Result<Elastoplastic> solver = elastoplasticAt(state, run);
     if (!solver)
         return std::unexpected(solver.error());
+    const Stopwatch watch(run.seconds(), "elastoplastic");
+    std::optional<PinnedShape> drawn;
+    std::optional<Error> error;
     for (int step = 0; step < kPinSteps && !run.stopped(); ++step) {
         solver->step(run.task());
-        run.show("pins", solver->shape(), {}, solver->state());
+        const auto shape = std::make_shared<const IndexedMesh>(solver->shape());
+        run.show("pins", *shape, {}, solver->state());
+        if (const auto crossing = selfIntersections(*shape); crossing.empty())
+            drawn = PinnedShape{shape, solver->pins()};
+        else if (drawn)
+            break;
+        else
+            error = drawnThroughItself(*run.request().part, crossing.front().first);
     }
     if (run.stopped())
         return DesignRun::cancelled();
-    return std::make_shared<const IndexedMesh>(solver->shape());
+    return drawn ? Result<PinnedShape>(*drawn) : std::unexpected(*error);
 }
 
-} // namespace
-
-Result<DesignResult> designByBending(DesignRun& run) {
-    const DesignRequest& request = run.request();
-    SharedMesh shape = request.part;
-    if (!request.pins.empty() && request.plane) {
-        const Result<SharedMesh> bent =
-            pinned({*request.plane, run.directionsFor(*shape, *request.plane)}, run);
-        if (!bent)
-            return std::unexpected(bent.error());
-        shape = *bent;
-    }
-    Result<MoldStates> states = MoldStates::create(*shape, run);
+/// Bends a part, whose pins lie in the plane already, at the request's plane or the best ones.
+Result<DesignResult> bendPart(const PinnedShape& pinned, DesignRun& run) {
+    const IndexedMesh& shape = *pinned.shape;
+    Result<MoldStates> states = MoldStates::create(shape, run);
     if (!states)
         return std::unexpected(states.error());
-    Tries tries = tryStates(*shape, *states, run);
+    Tries tries = tryStates(pinned, *states, run);
     ObstructedPart obstructed;
     if (!tries.first && !run.stopped())
-        obstructed = obstructionsAt(*shape, states->best());
+        obstructed = obstructionsAt(shape, states->best());
     if (!obstructed.obstructions.empty())
-        offerRemedies(obstructed, *shape, states->best(), run);
-    if (request.fill == FillChoice::Auto)
-        fillWhereWanted(*shape, *states, tries, run);
+        offerRemedies(obstructed, shape, states->best(), run);
+    if (run.request().fill == FillChoice::Auto)
+        fillWhereWanted(pinned, *states, tries, run);
     if (!tries.best) {
         if (run.stopped())
             return DesignRun::cancelled();
@@ -209,8 +232,44 @@ Result<DesignResult> designByBending(DesignRun& run) {
         tries.best->certificate.reason = obstructed.obstructions.front().message.english();
     }
     if (!obstructed.obstructions.empty())
-        tellObstructions(*tries.best, std::move(obstructed), WorkingFrame(*shape, states->best()));
+        tellObstructions(*tries.best, std::move(obstructed), WorkingFrame(shape, states->best()));
     return *tries.best;
+}
+
+/// Pins without a plane: one after the other, at planes that suit them, until one ends well.
+Result<DesignResult> bendAtPlaneForPins(DesignRun& run) {
+    std::optional<DesignResult> best;
+    std::optional<Error> lastError;
+    for (const PartingPlane& plane : planesForPins(run, kPlanesForPins)) {
+        DesignRequest request = run.request();
+        request.plane = plane;
+        DesignRun there(request, run.task(), run.frames());
+        Result<DesignResult> result = designByBending(there);
+        for (const auto& [stage, seconds] : there.seconds())
+            run.seconds()[stage] += seconds;
+        if (!result)
+            lastError = result.error();
+        else if (!best || better(*result, *best))
+            best = std::move(*result);
+        if (run.stopped() || (best && best->castable && givenUp(*best) == 0))
+            break;
+    }
+    if (best)
+        return *best;
+    return lastError && !run.stopped() ? std::unexpected(*lastError) : DesignRun::cancelled();
+}
+
+} // namespace
+
+Result<DesignResult> designByBending(DesignRun& run) {
+    const DesignRequest& request = run.request();
+    if (request.pins.empty())
+        return bendPart({request.part, {}}, run);
+    if (!request.plane)
+        return bendAtPlaneForPins(run);
+    const Result<PinnedShape> drawn =
+        pinned({*request.plane, run.directionsFor(*request.part, *request.plane)}, run);
+    return drawn ? bendPart(*drawn, run) : std::unexpected(drawn.error());
 }
 
 } // namespace moldwright

@@ -27,7 +27,9 @@ enum class FillChoice { None, Auto };
 
 /// A point of the part that may move only in the parting plane. [Stein 2019], Section 6.1.
 struct Pin {
-    Eigen::Vector3d point; ///< mm, part frame, in the undeformed shape; snapped to the nearest tet vertex
+    /// mm, part frame, in the undeformed shape: inside, or on the surface, where the nearest point of the
+    /// mesh is meant.
+    Eigen::Vector3d point;
     bool operator==(const Pin&) const = default;
 };
 
@@ -102,6 +104,12 @@ struct LimbMeasure {
     double volumeRatio = 1;
 };
 
+/// Where a pinned point has come to.
+struct PinnedPoint {
+    Eigen::Vector3d place;        ///< mm, part frame; in the cast or on it
+    double distanceFromPlane = 0; ///< mm
+};
+
 struct DesignResult {
     SharedMesh cast; ///< mm, part frame, every coordinate a float; none when an obstruction stood in the way
     SideLabels labels; ///< side of each face of cast
@@ -114,6 +122,7 @@ struct DesignResult {
     Change change;
     SurfaceStrain strain; ///< from the part, filled where it was filled, to the cast
     std::vector<LimbMeasure> limbs;
+    std::vector<PinnedPoint> pins; ///< one for each of the request's; none without a cast
     std::vector<Obstruction> obstructions;
     SharedMesh parted; ///< mm, part frame: the part with its parting line, where obstructions were found
     SideLabels partedLabels; ///< side of each face of parted

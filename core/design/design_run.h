@@ -29,6 +29,7 @@ public:
     /// The search for the `count` best planes, as the request limits draft, tilt and directions.
     [[nodiscard]] PlaneSearch planeSearch(int count) const;
 
+    [[nodiscard]] const FrameSink& frames() const { return m_frames; }
     [[nodiscard]] bool watched() const { return static_cast<bool>(m_frames); }
     /// Shows a shape (part frame) to whoever watches; `labels` empty while it is not split.
     void show(const char* stage, IndexedMesh shape, const SideLabels& labels, const MoldState& state);

@@ -6,6 +6,7 @@
 #include "castability/minimize.h"
 #include "deformation/tet_topology.h"
 #include "exchange/tetrahedralize.h"
+#include "mesh/closest_point.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kSettled = 1e-12; ///< mean square motion that ends a step early, working units
 constexpr int kPostIterations = 200;
+constexpr double kOnSurface = 1e-3; ///< working units: pins no deeper hold a point of the surface
 
 BodyShape bodyOf(const IndexedMesh& surface, const TetMesh& tets) {
     BodyShape body;
@@ -32,13 +34,31 @@ int nearestPoint(const Points& V, const Eigen::Vector3d& p) {
     return static_cast<int>(nearest);
 }
 
+/// The pins (working frame) that want a point of their own: those near a point of the surface take that.
+Points pinsInside(const IndexedMesh& work, const std::vector<Pin>& pins, const WorkingFrame& frame) {
+    Points inside(static_cast<Eigen::Index>(pins.size()), 3);
+    Eigen::Index count = 0;
+    const ClosestPoint surface(work);
+    for (const Pin& pin : pins) {
+        const Eigen::Vector3d p = frame.toWork(pin.point);
+        bool again = false;
+        for (Eigen::Index i = 0; i < count; ++i)
+            again = again || inside.row(i) == p.transpose();
+        if (!again && surface.distance(p) > kOnSurface)
+            inside.row(count++) = p.transpose();
+    }
+    inside.conservativeResize(count, Eigen::NoChange);
+    return inside;
+}
+
 } // namespace
 
 Result<Elastoplastic> Elastoplastic::create(SharedMesh part, const MoldState& state,
-                                            const ElastoplasticSettings& settings, const Task& task) {
+                                            const ElastoplasticSettings& settings, const Task& task,
+                                            const std::vector<Pin>& pins) {
     const WorkingFrame frame(*part, state);
     const IndexedMesh work = frame.toWork(*part);
-    Result<TetMesh> tets = tetrahedralize(work, task);
+    Result<TetMesh> tets = tetrahedralize(work, task, kTetGenSwitches, pinsInside(work, pins, frame));
     if (!tets)
         return std::unexpected(tets.error());
     return Elastoplastic(std::move(part), state, settings, frame, bodyOf(work, *tets));
@@ -53,9 +73,20 @@ Elastoplastic::Elastoplastic(SharedMesh part, const MoldState& state, const Elas
 
 void Elastoplastic::setPins(const std::vector<Pin>& pins) {
     std::vector<char> held(static_cast<std::size_t>(m_undeformed.rows()), 0);
-    for (const Pin& pin : pins)
-        held[static_cast<std::size_t>(nearestPoint(m_undeformed, m_frame.toWork(pin.point)))] = 1;
+    m_pinned.clear();
+    for (const Pin& pin : pins) {
+        m_pinned.push_back(nearestPoint(m_undeformed, m_frame.toWork(pin.point)));
+        held[static_cast<std::size_t>(m_pinned.back())] = 1;
+    }
     m_solver.setHeld(std::move(held));
+}
+
+std::vector<PlacedPin> Elastoplastic::pins() const {
+    std::vector<PlacedPin> pins;
+    for (const int v : m_pinned)
+        pins.push_back({m_frame.toPart(Eigen::Vector3d(m_solver.positions().row(v))),
+                        v < m_part->vertexCount() ? v : -1});
+    return pins;
 }
 
 void Elastoplastic::setFaceWeights(const std::vector<double>& faceWeights) {
@@ -95,13 +126,17 @@ IndexedMesh Elastoplastic::shape() const {
 }
 
 IndexedMesh postProcess(const IndexedMesh& shape, const MoldState& state, double draftDegrees,
-                        const Task& task) {
+                        const Task& task, const std::vector<PlacedPin>& pins) {
     IndexedMesh moving = shape;
     const double tau = std::sin(radians(draftDegrees));
     const Objective energy = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
         moving.V = Eigen::Map<const Points>(x.data(), shape.V.rows(), 3);
         Points g;
         const double value = castabilityEnergy(moving, state, tau, g);
+        const Eigen::Vector3d& n = state.plane.normal;
+        for (const PlacedPin& pin : pins)
+            if (pin.surfacePoint >= 0)
+                g.row(pin.surfacePoint) -= g.row(pin.surfacePoint).dot(n) * n.transpose();
         gradient = Eigen::Map<const Eigen::VectorXd>(g.data(), g.size());
         return value;
     };

@@ -5,6 +5,7 @@
 #include "base/task.h"
 #include "deformation/local_global.h"
 #include "design/design.h"
+#include "design/placed_pin.h"
 #include "design/working_frame.h"
 
 #include <functional>
@@ -27,12 +28,17 @@ struct ElastoplasticSettings {
 /// left alone.
 class Elastoplastic {
 public:
-    /// Fills the part with tetrahedra. Errors: Worker, Cancelled.
-    [[nodiscard]] static Result<Elastoplastic>
-    create(SharedMesh part, const MoldState& state, const ElastoplasticSettings& settings, const Task& task);
+    /// Fills the part with tetrahedra. `pins` that lie inside, not just below the surface, become points of
+    /// them. Errors: Worker, Cancelled.
+    [[nodiscard]] static Result<Elastoplastic> create(SharedMesh part, const MoldState& state,
+                                                      const ElastoplasticSettings& settings, const Task& task,
+                                                      const std::vector<Pin>& pins = {});
 
-    /// Points of the part that may move only in the plane (part frame, undeformed).
+    /// Points of the part that may move only in the plane (part frame, undeformed): the nearest one to each
+    /// pin.
     void setPins(const std::vector<Pin>& pins);
+    /// Where those of setPins() are now, part frame, one a pin.
+    [[nodiscard]] std::vector<PlacedPin> pins() const;
     /// Importance per face of the part.
     void setFaceWeights(const std::vector<double>& weights);
 
@@ -55,15 +61,16 @@ private:
     MoldState m_state;
     ElastoplasticSettings m_settings;
     WorkingFrame m_frame;
-    Points m_undeformed; ///< working frame
+    Points m_undeformed;       ///< working frame
+    std::vector<int> m_pinned; ///< the point that each pin holds
     LocalGlobal m_solver;
     int m_steps = 0;
     int m_iterations = 0;
 };
 
 /// Post-processing of the paper: minimises Eq. (2) over the points of `shape`, faces that cross the plane
-/// included. [Stein 2019], Algorithm 1, line 100.
+/// included. Points of the surface that `pins` hold stay in the plane. [Stein 2019], Algorithm 1, line 100.
 [[nodiscard]] IndexedMesh postProcess(const IndexedMesh& shape, const MoldState& state, double draftDegrees,
-                                      const Task& task);
+                                      const Task& task, const std::vector<PlacedPin>& pins = {});
 
 } // namespace moldwright

@@ -6,6 +6,7 @@
 #include "design/comparison.h"
 #include "design/stopwatch.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace moldwright {
@@ -55,8 +56,9 @@ void plasticSteps(Elastoplastic& solver, DesignRun& run) {
 DesignResult judged(const Elastoplastic& solver, DesignRun& run) {
     const Stopwatch watch(run.seconds(), "postprocess");
     const DesignRequest& request = run.request();
+    const std::vector<PlacedPin> pins = solver.pins();
     IndexedMesh cast =
-        postProcess(solver.shape(), solver.state(), request.draftDegrees, run.task().part(0.9, 1));
+        postProcess(solver.shape(), solver.state(), request.draftDegrees, run.task().part(0.9, 1), pins);
     cast.V = cast.V.cast<float>().cast<double>();
     DesignResult result;
     result.state = solver.state();
@@ -73,6 +75,10 @@ DesignResult judged(const Elastoplastic& solver, DesignRun& run) {
     std::iota(same.begin(), same.end(), 0);
     result.change = measureChange(*request.part, *request.part, cast, same);
     result.strain = surfaceStrain(*request.part, cast, same);
+    for (const PlacedPin& pin : pins) {
+        const Eigen::Vector3d place = pin.surfacePoint < 0 ? pin.place : cast.point(pin.surfacePoint);
+        result.pins.push_back({place, std::abs(result.state.plane.distance(place))});
+    }
     result.limbs = measureLimbs(*request.part, cast, same, request.limbTips);
     result.cast = std::make_shared<const IndexedMesh>(std::move(cast));
     return result;
@@ -87,7 +93,8 @@ Result<Elastoplastic> elastoplasticAt(const MoldState& state, DesignRun& run) {
     settings.maxTiltDegrees = request.maxTiltDegrees;
     settings.optimizeDirections = request.directionsChoice == DirectionsChoice::Automatic;
     const Stopwatch watch(run.seconds(), "tetrahedralize");
-    Result<Elastoplastic> solver = Elastoplastic::create(request.part, state, settings, run.task());
+    Result<Elastoplastic> solver =
+        Elastoplastic::create(request.part, state, settings, run.task(), request.pins);
     if (!solver)
         return solver;
     solver->setPins(request.pins);

@@ -3,6 +3,7 @@
 
 #include "castability/topology.h"
 #include "design/obstructions.h"
+#include "design/pins_in_plane.h"
 #include "exchange/tetrahedralize.h"
 #include "fill/fill_plan.h"
 #include "mesh/check.h"
@@ -56,9 +57,10 @@ IndexedMesh crossWhereFree(const IndexedMesh& work, double reach) {
     return work;
 }
 
-/// The part in the working frame with its parting line inserted.
-PartedMesh parted(const IndexedMesh& work, double reach, double snap) {
-    return insertPartingLine(reach > 0 ? crossWhereFree(work, reach) : work, snap);
+/// The part in the working frame with its parting line inserted, through its pins too.
+PartedMesh parted(const IndexedMesh& work, double reach, double snap,
+                  const std::vector<PlacedPin>& pins = {}) {
+    return insertPartingLine(withPinsInPlane(reach > 0 ? crossWhereFree(work, reach) : work, pins), snap);
 }
 
 Result<FilledPart> filledTo(FillExtent extent, const PartedMesh& surface, const Directions& directions,
@@ -79,21 +81,30 @@ Error crossesItself() {
             {}};
 }
 
+Error doesNotHold() {
+    return {ErrorCode::Impossible,
+            {MW_TEXT("design", "A pinned point of the surface could not be made a point of the parting line. "
+                               "Pin a point inside the part instead."),
+             {}},
+            {},
+            {}};
+}
+
 Error wasCancelled() {
     return {ErrorCode::Cancelled, {MW_TEXT("design", "The design was cancelled."), {}}, {}, {}};
 }
 
-/// What takes a parted surface, or refuses it and why.
-using Taking = std::function<std::optional<Error>(const PartedMesh&)>;
+/// What takes a parted surface with its pins, or refuses it and why.
+using Taking = std::function<std::optional<Error>(const PartedMesh&, const std::vector<PlacedPin>&)>;
 
-std::optional<Error> takeAny(const PartedMesh&) {
+std::optional<Error> takeAny(const PartedMesh&, const std::vector<PlacedPin>&) {
     return std::nullopt;
 }
 
 /// Takes a surface when TetGen fills it; the tetrahedra go to `tets`.
 Taking takeFilled(TetMesh& tets, const Task& task) {
-    return [&](const PartedMesh& surface) -> std::optional<Error> {
-        Result<TetMesh> filled = tetrahedralize(surface.mesh, task);
+    return [&](const PartedMesh& surface, const std::vector<PlacedPin>& pins) -> std::optional<Error> {
+        Result<TetMesh> filled = tetrahedralize(surface.mesh, task, kTetGenSwitches, innerPlaces(pins));
         if (!filled)
             return filled.error();
         tets = std::move(*filled);
@@ -102,32 +113,37 @@ Taking takeFilled(TetMesh& tets, const Task& task) {
 }
 
 Result<PartedPart> partUntil(const Taking& take, const IndexedMesh& part, const MoldState& state,
-                             const Task& task) {
+                             const Task& task, const std::vector<PlacedPin>& partPins) {
     const WorkingFrame frame(part, state);
     const IndexedMesh work = frame.toWork(part);
+    const std::vector<PlacedPin> pins = pinsToWork(partPins, frame);
     std::optional<Error> refusal;
     for (const double reach : kReaches)
         for (const double snap : kSnaps) {
             if (task.stopped())
                 return std::unexpected(wasCancelled());
-            PartedMesh surface = parted(work, reach, snap);
+            PartedMesh surface = parted(work, reach, snap, pins);
             if (const auto obstructions = findObstructions(surface.mesh, surface.labels, frame);
                 !obstructions.empty()) {
                 refusal = Error{
                     ErrorCode::Impossible, obstructions.front().message, {}, {obstructions.front().place}};
                 continue;
             }
-            refusal = selfIntersections(surface.mesh).empty() ? take(surface) : crossesItself();
+            if (!pinsAreInPlane(surface.mesh, pins))
+                refusal = doesNotHold();
+            else
+                refusal = selfIntersections(surface.mesh).empty() ? take(surface, pins) : crossesItself();
             if (!refusal)
-                return PartedPart{state, frame, std::move(surface)};
+                return PartedPart{state, frame, std::move(surface), 0, pins};
         }
     return std::unexpected(*refusal);
 }
 
 Result<PartedPart> fillUntil(const Taking& take, const IndexedMesh& part, const MoldState& state,
-                             FillExtent extent, const Task& task) {
+                             FillExtent extent, const Task& task, const std::vector<PlacedPin>& partPins) {
     const WorkingFrame frame(part, state);
-    const IndexedMesh work = frame.toWork(part);
+    const std::vector<PlacedPin> pins = pinsToWork(partPins, frame);
+    const IndexedMesh work = withPinsInPlane(frame.toWork(part), pins);
     const Directions directions = frame.directionsToWork(state.directions);
     std::optional<Error> refusal;
     for (const double snap : kSnaps) {
@@ -139,14 +155,19 @@ Result<PartedPart> fillUntil(const Taking& take, const IndexedMesh& part, const 
             continue;
         }
         Result<FilledPart> filled = filledTo(extent, surface, directions, task);
-        refusal = filled ? take(filled->surface) : filled.error();
+        if (!filled) {
+            refusal = filled.error();
+            continue;
+        }
+        std::vector<PlacedPin> left = pinsAfterFilling(pins, filled->sourceVertex);
+        refusal = pinsAreInPlane(filled->surface.mesh, left) ? take(filled->surface, left) : doesNotHold();
         if (refusal)
             continue;
         for (int& source : filled->surface.sourceFace)
             if (source >= 0)
                 source = surface.sourceFace[static_cast<std::size_t>(source)];
         const double cubed = frame.scale() * frame.scale() * frame.scale();
-        return PartedPart{state, frame, std::move(filled->surface), filled->volume * cubed};
+        return PartedPart{state, frame, std::move(filled->surface), filled->volume * cubed, std::move(left)};
     }
     return std::unexpected(*refusal);
 }
@@ -187,25 +208,27 @@ ObstructedPart obstructionsAt(const IndexedMesh& part, const MoldState& state) {
     return found;
 }
 
-Result<PartedPart> partSurface(const IndexedMesh& part, const MoldState& state, const Task& task) {
-    return partUntil(takeAny, part, state, task);
+Result<PartedPart> partSurface(const IndexedMesh& part, const MoldState& state, const Task& task,
+                               const std::vector<PlacedPin>& pins) {
+    return partUntil(takeAny, part, state, task, pins);
 }
 
-Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, const Task& task) {
+Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, const Task& task,
+                              const std::vector<PlacedPin>& pins) {
     TetMesh tets;
-    Result<PartedPart> taken = partUntil(takeFilled(tets, task), part, state, task);
+    Result<PartedPart> taken = partUntil(takeFilled(tets, task), part, state, task, pins);
     return solidOf(std::move(taken), std::move(tets));
 }
 
 Result<PartedPart> filledSurface(const IndexedMesh& part, const MoldState& state, FillExtent extent,
-                                 const Task& task) {
-    return fillUntil(takeAny, part, state, extent, task);
+                                 const Task& task, const std::vector<PlacedPin>& pins) {
+    return fillUntil(takeAny, part, state, extent, task, pins);
 }
 
 Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state, FillExtent extent,
-                                const Task& task) {
+                                const Task& task, const std::vector<PlacedPin>& pins) {
     TetMesh tets;
-    Result<PartedPart> taken = fillUntil(takeFilled(tets, task), part, state, extent, task);
+    Result<PartedPart> taken = fillUntil(takeFilled(tets, task), part, state, extent, task, pins);
     return solidOf(std::move(taken), std::move(tets));
 }
 

@@ -108,10 +108,16 @@ std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail, const T
             keepDetailAt(crossing, reduction, kept);
             continue;
         }
-        Result<TetMesh> tets = tetrahedralize(reduction.mesh, task, quick ? kQuickSwitches : kFineSwitches);
+        Result<TetMesh> tets = tetrahedralize(reduction.mesh, task, quick ? kQuickSwitches : kFineSwitches,
+                                              innerPlaces(part.pins));
         if (!tets)
             return std::nullopt;
-        return Proxy{{{part.state, part.frame, labelled(std::move(reduction.mesh)), 0}, std::move(*tets)},
+        std::vector<PlacedPin> pins = part.pins;
+        for (PlacedPin& pin : pins)
+            if (pin.surfacePoint >= 0)
+                pin.surfacePoint = reduction.pointNow[static_cast<std::size_t>(pin.surfacePoint)];
+        return Proxy{{{part.state, part.frame, labelled(std::move(reduction.mesh)), 0, std::move(pins)},
+                      std::move(*tets)},
                      std::move(reduction.pointNow)};
     }
     return std::nullopt;
@@ -134,7 +140,10 @@ BentShape bendByProxy(const PartedPart& part, const Proxy& proxy, const ShapeGoa
             watch(stage, surfaceAt(part, follow(now.mesh.V)));
         };
     const BentShape bent = bend(proxy.solid, coarse, task, watchPart);
-    return {surfaceAt(part, follow(bent.surface.mesh.V)), bent.iterations, true};
+    std::vector<PlacedPin> pins = bent.pins;
+    for (std::size_t i = 0; i < pins.size(); ++i)
+        pins[i].surfacePoint = part.pins[i].surfacePoint;
+    return {surfaceAt(part, follow(bent.surface.mesh.V)), bent.iterations, true, std::move(pins)};
 }
 
 } // namespace moldwright

@@ -107,12 +107,15 @@ double totalVolume(const TetMesh& tets) {
     return sum / 6;
 }
 
-Result<TetMesh> checked(TetMesh tets, const IndexedMesh& surface) {
+Result<TetMesh> checked(TetMesh tets, const IndexedMesh& surface, const Points& inside) {
     if (tets.T.rows() == 0)
         return wrongAnswer(MW_TEXT("exchange", "TetGen found no inside to fill."));
     if (!tets.V.allFinite() || !indicesFit(tets) || !surfacePointsComeFirst(tets, surface))
         return wrongAnswer(MW_TEXT("exchange", "TetGen's answer does not keep the points of the surface."));
     dropUnusedInnerPoints(tets, surface.vertexCount());
+    const std::vector<int> inner = innerPoints(tets, surface.vertexCount(), inside);
+    if (std::find(inner.begin(), inner.end(), -1) != inner.end())
+        return wrongAnswer(MW_TEXT("exchange", "TetGen left out a point inside the surface."));
     if (!orient(tets))
         return wrongAnswer(MW_TEXT("exchange", "TetGen's answer holds a flat tetrahedron."));
     const double goal = volume(surface);
@@ -127,11 +130,22 @@ Result<TetMesh> checked(TetMesh tets, const IndexedMesh& surface) {
 
 } // namespace
 
-Result<TetMesh> tetrahedralize(const IndexedMesh& surface, const Task& task, const std::string& switches) {
+std::vector<int> innerPoints(const TetMesh& tets, int surfacePoints, const Points& inside) {
+    std::vector<int> found(static_cast<std::size_t>(inside.rows()), -1);
+    for (Eigen::Index i = 0; i < inside.rows(); ++i)
+        for (Eigen::Index v = surfacePoints; v < tets.V.rows(); ++v)
+            if (tets.V.row(v) == inside.row(i))
+                found[static_cast<std::size_t>(i)] = static_cast<int>(v);
+    return found;
+}
+
+Result<TetMesh> tetrahedralize(const IndexedMesh& surface, const Task& task, const std::string& switches,
+                               const Points& inside) {
     WireWriter request;
-    request.text(switches);
+    request.text(inside.rows() > 0 ? switches + "i" : switches);
     request.matrix(surface.V);
     request.matrix(surface.F);
+    request.matrix(inside);
     // Twice what a long thin part with steep grading was seen to need; only a runaway reaches it.
     const WorkerLimits limits = {.megabytes = 1024 + surface.faceCount() / 32,
                                  .seconds = 60 + surface.faceCount() / 500};
@@ -144,7 +158,7 @@ Result<TetMesh> tetrahedralize(const IndexedMesh& surface, const Task& task, con
     tets.T = reader.matrix<Tetrahedra>();
     if (!reader.whole())
         return wrongAnswer(MW_TEXT("exchange", "The worker program's answer is incomplete."));
-    return checked(std::move(tets), surface);
+    return checked(std::move(tets), surface, inside);
 }
 
 } // namespace moldwright

@@ -35,6 +35,21 @@ TEST(Tetrahedralize, FillsASphereAndKeepsItsSurface) {
     EXPECT_GT(tets->V.rows(), sphere.V.rows());
 }
 
+TEST(Tetrahedralize, TakesPointsInsideAndRefusesThoseOutside) {
+    const IndexedMesh sphere = test::sphere({0, 0, 0}, 0.5, 3);
+    Points inside(2, 3);
+    inside << 0.1, 0.2, 0.123456789, 0, 0, -0.45;
+    const auto tets = tetrahedralize(sphere, {}, kTetGenSwitches, inside);
+    ASSERT_TRUE(tets) << tets.error().english();
+    EXPECT_EQ(tets->V.topRows(sphere.V.rows()), sphere.V);
+    EXPECT_NEAR(sumOfVolumes(*tets), volume(sphere), 1e-9);
+    const std::vector<int> found = innerPoints(*tets, sphere.vertexCount(), inside);
+    for (Eigen::Index i = 0; i < 2; ++i)
+        EXPECT_EQ(tets->V.row(found[static_cast<std::size_t>(i)]), inside.row(i));
+    inside.row(1) << 0, 0, 0.7;
+    EXPECT_FALSE(tetrahedralize(sphere, {}, kTetGenSwitches, inside));
+}
+
 TEST(Tetrahedralize, FillsARing) {
     const auto ring = test::torus(0.4, 0.1, 40, 16);
     const auto tets = tetrahedralize(ring);

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/guide_files.h"
+
+#include "cli/json.h"
+#include "mesh/closest_point.h"
+#include "mesh/measures.h"
+#include "pins/cgal/inside_test.h"
+
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace moldwright::cli {
+
+namespace {
+
+constexpr double kOnSurface = 1e-3;   ///< diagonals that a pin may lie outside: written by hand, or rounded
+constexpr double kMostWeight = 65536; ///< 2^16: more makes the elastic energy's matrix useless
+
+std::unexpected<Error> refused(std::string text, std::vector<std::string> arguments) {
+    return failure(ErrorCode::BadInput, std::move(text), std::move(arguments));
+}
+
+/// The list under `key` of a JSON file.
+Result<Json> readList(const std::filesystem::path& file, const std::string& key) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    if (!in)
+        return refused(MW_TEXT("cli", "{0} could not be read."), {file.string()});
+    Json json;
+    try {
+        json = Json::parse(bytes.str());
+    } catch (const Json::parse_error& error) {
+        return refused(MW_TEXT("cli", "{0} is not JSON: it goes wrong at byte {1}."),
+                       {file.string(), std::to_string(error.byte)});
+    }
+    if (!json.is_object() || !json.contains(key) || !json[key].is_array())
+        return refused(MW_TEXT("cli", "{0} has no list \"{1}\"."), {file.string(), key});
+    return std::move(json[key]);
+}
+
+std::optional<double> numberUnder(const Json& entry, const char* key) {
+    if (!entry.is_object() || !entry.contains(key) || !entry[key].is_number())
+        return std::nullopt;
+    const double value = entry[key].get<double>();
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> pointUnder(const Json& entry, const char* key) {
+    if (!entry.is_object() || !entry.contains(key) || !entry[key].is_array() || entry[key].size() != 3)
+        return std::nullopt;
+    Eigen::Vector3d point;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!entry[key][k].is_number())
+            return std::nullopt;
+        point[static_cast<Eigen::Index>(k)] = entry[key][k].get<double>();
+    }
+    return point.allFinite() ? std::optional(point) : std::nullopt;
+}
+
+std::vector<int> facesInBall(const IndexedMesh& part, const Eigen::Vector3d& centre, double radius) {
+    std::vector<int> faces;
+    for (int f = 0; f < part.faceCount(); ++f)
+        if (((part.corner(f, 0) + part.corner(f, 1) + part.corner(f, 2)) / 3 - centre).norm() <= radius)
+            faces.push_back(f);
+    return faces;
+}
+
+/// The faces listed in an entry; none where it lists anything else.
+std::optional<std::vector<int>> facesListed(const Json& list, const IndexedMesh& part) {
+    std::vector<int> faces;
+    for (const Json& face : list) {
+        if (!face.is_number_integer() || face.get<std::int64_t>() < 0 ||
+            face.get<std::int64_t>() >= part.faceCount())
+            return std::nullopt;
+        faces.push_back(face.get<int>());
+    }
+    return faces;
+}
+
+/// The faces of a region. `which` names the entry for sentences.
+Result<std::vector<int>> facesOf(const Json& entry, const IndexedMesh& part,
+                                 const std::vector<std::string>& which) {
+    if (entry.is_object() && entry.contains("faces")) {
+        const auto faces =
+            entry["faces"].is_array() ? facesListed(entry["faces"], part) : std::optional<std::vector<int>>();
+        if (!faces)
+            return refused(
+                MW_TEXT("cli", "{0}: the \"faces\" of region {1} have to be numbers from 0 to {2}."),
+                {which[0], which[1], std::to_string(part.faceCount() - 1)});
+        return *faces;
+    }
+    const std::optional<Eigen::Vector3d> centre = pointUnder(entry, "centre");
+    const std::optional<double> radius = numberUnder(entry, "radius");
+    if (!centre || !radius || !(*radius > 0))
+        return refused(MW_TEXT("cli", "{0}: region {1} needs a \"centre\" of three numbers and a positive "
+                                      "\"radius\", or a list of \"faces\"."),
+                       which);
+    return facesInBall(part, *centre, *radius);
+}
+
+} // namespace
+
+Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const IndexedMesh& part) {
+    const Result<Json> list = readList(file, "pins");
+    if (!list)
+        return std::unexpected(list.error());
+    const InsideTest solid(part);
+    const ClosestPoint surface(part);
+    std::vector<Pin> pins;
+    for (const Json& entry : *list) {
+        const std::string which = std::to_string(pins.size() + 1);
+        const std::optional<Eigen::Vector3d> point = pointUnder(entry, "point");
+        if (!point)
+            return refused(MW_TEXT("cli", "{0}: pin {1} needs a \"point\" of three numbers."),
+                           {file.string(), which});
+        const double outside = solid.inside(*point) ? 0 : surface.distance(*point);
+        if (outside > kOnSurface * diagonal(part))
+            return refused(MW_TEXT("cli", "{0}: pin {1} lies {2} mm outside the part. Pins are in the part's "
+                                          "millimetres, after --units, --scale or --size."),
+                           {file.string(), which, readable(outside, 3)});
+        pins.push_back({*point});
+    }
+    return pins;
+}
+
+Result<std::vector<double>> readWeights(const std::filesystem::path& file, const IndexedMesh& part) {
+    const Result<Json> list = readList(file, "regions");
+    if (!list)
+        return std::unexpected(list.error());
+    std::vector<double> weights(static_cast<std::size_t>(part.faceCount()), 1);
+    int number = 0;
+    for (const Json& entry : *list) {
+        const std::vector<std::string> which = {file.string(), std::to_string(++number)};
+        const std::optional<double> weight = numberUnder(entry, "weight");
+        if (!weight || !(*weight >= 1) || *weight > kMostWeight)
+            return refused(MW_TEXT("cli", "{0}: region {1} needs a \"weight\" from 1 (like the rest) to "
+                                          "65536."),
+                           which);
+        const Result<std::vector<int>> faces = facesOf(entry, part, which);
+        if (!faces)
+            return std::unexpected(faces.error());
+        if (faces->empty())
+            return refused(MW_TEXT("cli", "{0}: region {1} has no face of the part in it."), which);
+        for (const int f : *faces) {
+            double& here = weights[static_cast<std::size_t>(f)];
+            here = std::max(here, *weight);
+        }
+    }
+    return weights;
+}
+
+} // namespace moldwright::cli
