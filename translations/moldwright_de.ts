@@ -475,6 +475,94 @@
         <source>End the run; the shape it reached is kept.</source>
         <translation>Den Lauf beenden; die erreichte Gestalt bleibt.</translation>
     </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>&amp;Eine Ansicht</translation>
+    </message>
+    <message>
+        <source>Show one view.</source>
+        <translation>Eine Ansicht zeigen.</translation>
+    </message>
+    <message>
+        <source>T&amp;wo views</source>
+        <translation>&amp;Zwei Ansichten</translation>
+    </message>
+    <message>
+        <source>Show the part and its cast beside each other.</source>
+        <translation>Das Teil und seinen Guss nebeneinander zeigen.</translation>
+    </message>
+    <message>
+        <source>Fo&amp;ur views</source>
+        <translation>&amp;Vier Ansichten</translation>
+    </message>
+    <message>
+        <source>Show it from above, from the front, from the right, and freely.</source>
+        <translation>Von oben, von vorn, von rechts und frei zeigen.</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k the views</source>
+        <translation>Ansichten &amp;koppeln</translation>
+    </message>
+    <message>
+        <source>Let all views move together.</source>
+        <translation>Alle Ansichten bewegen sich gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Undercut d&amp;epth</source>
+        <translation>&amp;Tiefe der Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Paint every undercut by how far it is blocked, in mm.</source>
+        <translation>Jeden Hinterschnitt danach färben, wie weit er versperrt ist, in mm.</translation>
+    </message>
+    <message>
+        <source>De&amp;viation</source>
+        <translation>Ab&amp;weichung</translation>
+    </message>
+    <message>
+        <source>Paint how far cast and part are apart, in mm.</source>
+        <translation>Färben, wie weit Guss und Teil auseinanderliegen, in mm.</translation>
+    </message>
+    <message>
+        <source>&amp;Strain</source>
+        <translation>&amp;Dehnung</translation>
+    </message>
+    <message>
+        <source>Paint how much the surface was stretched, in percent.</source>
+        <translation>Färben, wie stark die Oberfläche gedehnt wurde, in Prozent.</translation>
+    </message>
+    <message>
+        <source>Se&amp;ction</source>
+        <translation>S&amp;chnitt</translation>
+    </message>
+    <message>
+        <source>Cut the view open at the parting plane, or anywhere along it.</source>
+        <translation>Die Ansicht an der Trennebene oder irgendwo daneben aufschneiden.</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Click places on the surface: draft, thickness, distance, angle. Esc leaves.</source>
+        <translation>Stellen auf der Oberfläche anklicken: Schräge, Dicke, Abstand, Winkel. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy what was measured</source>
+        <translation>Gemessenes &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Put the measured values on the clipboard, as text.</source>
+        <translation>Die Messwerte als Text in die Zwischenablage legen.</translation>
+    </message>
+    <message>
+        <source>Save a t&amp;urntable…</source>
+        <translation>&amp;Rundumansicht speichern …</translation>
+    </message>
+    <message>
+        <source>Turn the view once around and write an animated PNG. Esc stops.</source>
+        <translation>Die Ansicht einmal herumdrehen und als animiertes PNG schreiben. Esc hält an.</translation>
+    </message>
 </context>
 <context>
     <name>MessageDelegate</name>
@@ -681,34 +769,6 @@
     <message>
         <source>No undercut seen; Run proves it</source>
         <translation>Kein Hinterschnitt zu sehen; Start beweist es</translation>
-    </message>
-    <message>
-        <source>Undercuts</source>
-        <translation>Hinterschnitte</translation>
-    </message>
-    <message>
-        <source>Draft below %1</source>
-        <translation>Schräge unter %1</translation>
-    </message>
-    <message>
-        <source>Draft %1 or more</source>
-        <translation>Schräge %1 oder mehr</translation>
-    </message>
-    <message>
-        <source>Draft</source>
-        <translation>Schräge</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>unter %1</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>über %1</translation>
     </message>
     <message>
         <source>Step %1, live</source>
@@ -1929,30 +1989,6 @@
         <translation>Bericht</translation>
     </message>
     <message>
-        <source>Front</source>
-        <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Hinten</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
         <source>History</source>
         <translation>Verlauf</translation>
     </message>
@@ -2007,6 +2043,26 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a place, a second for the distance, a third for the angle. &lt;b&gt;Ctrl+C&lt;/b&gt; copies, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>Eine Stelle &lt;b&gt;anklicken&lt;/b&gt;, eine zweite für den Abstand, eine dritte für den Winkel. &lt;b&gt;Strg+C&lt;/b&gt; kopiert, &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Save a turntable</source>
+        <translation>Rundumansicht speichern</translation>
+    </message>
+    <message>
+        <source>Animated PNG (*.png)</source>
+        <translation>Animiertes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Picture %1 of %2 around the part. &lt;b&gt;Esc&lt;/b&gt; stops.</source>
+        <translation>Bild %1 von %2 rund um das Teil. &lt;b&gt;Esc&lt;/b&gt; hält an.</translation>
+    </message>
+    <message>
+        <source>Turntable written to %1.</source>
+        <translation>Rundumansicht nach %1 geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -2159,18 +2215,6 @@
         <translation>Zeige</translation>
     </message>
     <message>
-        <source>Undercuts</source>
-        <translation>Hinterschnitte</translation>
-    </message>
-    <message>
-        <source>Draft map</source>
-        <translation>Schrägenkarte</translation>
-    </message>
-    <message>
-        <source>Plain</source>
-        <translation>Schlicht</translation>
-    </message>
-    <message>
         <source>What the faces show</source>
         <translation>Was die Flächen zeigen</translation>
     </message>
@@ -2179,12 +2223,8 @@
         <translation>Wie weit die Form offen ist</translation>
     </message>
     <message>
-        <source>Mold closed</source>
-        <translation>Form zu</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>offen</translation>
+        <source>Mold opened</source>
+        <translation>Form geöffnet</translation>
     </message>
 </context>
 <context>
@@ -2399,6 +2439,225 @@
     <message>
         <source>Workflow</source>
         <translation>Arbeitsablauf</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ViewPane</name>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Free view</source>
+        <translation>Freie Ansicht</translation>
+    </message>
+    <message>
+        <source>What this view shows</source>
+        <translation>Was diese Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Newest shape</source>
+        <translation>Neueste Form</translation>
+    </message>
+    <message>
+        <source>Part as opened</source>
+        <translation>Teil wie geöffnet</translation>
+    </message>
+    <message>
+        <source>What the faces of this view show</source>
+        <translation>Was die Flächen dieser Ansicht zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayMode</name>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Draft map</source>
+        <translation>Schrägenkarte</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Schlicht</translation>
+    </message>
+    <message>
+        <source>Undercut depth</source>
+        <translation>Tiefe der Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+</context>
+<context>
+    <name>FacePaint</name>
+    <message>
+        <source>Draft below %1</source>
+        <translation>Schräge unter %1</translation>
+    </message>
+    <message>
+        <source>Draft %1 or more</source>
+        <translation>Schräge %1 oder mehr</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Schräge</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>mm, after best fit</source>
+        <translation>mm, nach bester Einpassung</translation>
+    </message>
+    <message>
+        <source>%, both stretches together</source>
+        <translation>%, beide Dehnungen zusammen</translation>
+    </message>
+    <message>
+        <source>mm along the removal direction</source>
+        <translation>mm in Entformungsrichtung</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>Shown once the run has ended.</source>
+        <translation>Erscheint, wenn der Lauf beendet ist.</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Wird gemessen</translation>
+    </message>
+    <message>
+        <source>Needs a parting plane.</source>
+        <translation>Braucht eine Trennebene.</translation>
+    </message>
+    <message>
+        <source>Needs a cast: Run makes one.</source>
+        <translation>Braucht einen Guss: Ein Lauf erzeugt ihn.</translation>
+    </message>
+    <message>
+        <source>The file is of an older version: run again.</source>
+        <translation>Die Datei ist von einer älteren Version: neu laufen lassen.</translation>
+    </message>
+    <message>
+        <source>Shown on the cast only.</source>
+        <translation>Nur auf dem Guss zu sehen.</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>No undercut</source>
+        <translation>Kein Hinterschnitt</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>At the parting plane</source>
+        <translation>An der Trennebene</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>Quer zu X</translation>
+    </message>
+    <message>
+        <source>Across Y</source>
+        <translation>Quer zu Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>Quer zu Z</translation>
+    </message>
+    <message>
+        <source>Which way the section lies</source>
+        <translation>Wie der Schnitt liegt</translation>
+    </message>
+    <message>
+        <source>How far along the section lies</source>
+        <translation>Wo der Schnitt liegt</translation>
+    </message>
+    <message>
+        <source>Keep the other side</source>
+        <translation>Die andere Seite behalten</translation>
+    </message>
+    <message>
+        <source>Close the section</source>
+        <translation>Schnitt schließen</translation>
+    </message>
+</context>
+<context>
+    <name>Measurement</name>
+    <message>
+        <source>Draft %1</source>
+        <translation>Schräge %1</translation>
+    </message>
+    <message>
+        <source>thickness %1</source>
+        <translation>Dicke %1</translation>
+    </message>
+    <message>
+        <source>On the section</source>
+        <translation>Auf dem Schnitt</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
     </message>
 </context>
 </TS>

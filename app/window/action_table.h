@@ -26,6 +26,7 @@ enum class Needs {
     MoldBuilt,
     Running,
     Bending,
+    Measured,
     Undo,
     Redo
 };

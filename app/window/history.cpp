@@ -51,8 +51,10 @@ std::size_t History::bytes() const {
         for (const Project* project : {&step.before, &step.after}) {
             count(project->source);
             count(project->part);
-            if (project->cast)
+            if (project->cast) {
                 count(project->cast->mesh);
+                sum += sizeof(double) * static_cast<std::size_t>(project->cast->before.size());
+            }
             sum += sizeof(Project) + sizeof(double) * project->faceWeights.size();
         }
     return sum;

@@ -13,18 +13,16 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
+#include "window/measure_tool.h"
 #include "window/obstruction_words.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
-#include "window/view_bar.h"
 #include "window/workbench.h"
 
 #include <QLabel>
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QStackedWidget>
-
-#include <utility>
 
 namespace moldwright {
 
@@ -47,7 +45,6 @@ MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     connectActions();
     connectBench();
     connectPanels();
-    connectView();
     restoreLayout();
     applyTheme();
     m_centre->currentWidget()->setFocus();
@@ -57,7 +54,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::applyTheme() {
     const Theme& t = theme();
-    m_view->scene().setLook(t.scene, m_view->devicePixelRatioF());
+    useLook();
     QPalette panel = t.palette;
     panel.setColor(QPalette::Window, t.panel);
     m_properties->setPalette(panel);
@@ -66,7 +63,6 @@ void MainWindow::applyTheme() {
     bar.setColor(QPalette::Button, t.panel);
     m_workflow->setPalette(bar);
     m_workflow->setAutoFillBackground(true);
-    m_shownMold = nullptr;
     refreshProperties(true);
     refresh();
 }
@@ -99,95 +95,12 @@ void MainWindow::refresh() {
         m_plots->clear();
     while (m_plots->points().size() < m_bench.progress().size())
         m_plots->add(m_bench.progress()[m_plots->points().size()]);
-    refreshView();
+    refreshViews();
     refreshHistory();
     refreshActions();
     refreshTitle();
     refreshHint();
     refreshProperties();
-}
-
-void MainWindow::refreshView() {
-    scene::Scene& scene = m_view->scene();
-    const bool inMold = moldShown();
-    m_view->setEditable(!inMold && !m_bench.background().busy());
-    const scene::SharedDrawnMesh drawn = m_bench.drawnSurface();
-    if (m_bench.shownMesh() && !drawn)
-        return; // the last picture stays until the next one can be drawn
-    scene.setState(drawn ? m_bench.shownState() : std::nullopt);
-    showSurface(drawn);
-    if (m_bench.analysis())
-        m_view->setPicker(m_bench.analysis()->picker);
-    showMold(inMold);
-    scene.setSurfaceVisible(m_visible.shape);
-    scene.setPlaneVisible(m_visible.plane && !inMold);
-    scene.setDirectionsVisible(m_visible.directions && !inMold);
-    m_view->setTiltLimit(m_bench.project().design.maxTiltDegrees);
-    scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, m_mode));
-    scene.setStateChip(stateChipFor(m_bench));
-    scene.setChips(drawn && !inMold ? chipsInView() : std::vector<scene::Chip>());
-    if (drawn && std::exchange(m_fitWhenDrawn, false)) {
-        m_view->lookHome();
-        m_view->fitAll(true);
-    }
-    m_view->redraw();
-}
-
-void MainWindow::showSurface(const scene::SharedDrawnMesh& drawn) {
-    scene::Scene& scene = m_view->scene();
-    if (drawn != scene.surface())
-        scene.setSurface(drawn, {});
-    if (!drawn)
-        return;
-    const double required = m_bench.project().design.draftDegrees;
-    const auto colours = [&](const DraftAnalysis* analysis, const IndexedMesh& mesh) {
-        return faceColours(mesh.F.rows(), analysis, required, m_mode);
-    };
-    const bool coarse = m_bench.analysisIsCoarse();
-    m_view->setCoarse(coarse);
-    m_view->setLive(m_bench.running() && !m_bench.resting());
-    if (!coarse)
-        scene.setFaceColours(colours(m_bench.shownAnalysis(), *drawn->mesh));
-    if (drawn->standIn)
-        scene.setStandInColours(colours(
-            coarse ? m_bench.shownAnalysis() : &m_bench.analysis()->standInAnalysis, *drawn->standIn->mesh));
-}
-
-std::vector<scene::Chip> MainWindow::chipsInView() const {
-    // Marks first: their numbers are those of the obstructions.
-    std::vector<scene::Chip> chips = marksOf(m_bench.obstructions(), obstructionNumber(m_selected));
-    if (const auto state = m_bench.shownState(); state && m_visible.directions)
-        for (const int side : {1, 2})
-            chips.push_back(
-                {m_view->scene().arrowTip(side),
-                 {{},
-                  {{std::nullopt,
-                    {{std::to_string(side), side == 1 ? scene::Ink::Side1 : scene::Ink::Side2, true},
-                     {tr("%1 to plane normal").arg(angleText(tiltDegrees(*state, side))).toStdString()}},
-                    {}}}}});
-    return chips;
-}
-
-bool MainWindow::moldShown() const {
-    return m_bench.moldIsCurrent() && m_visible.mold &&
-           (m_selected == u"mold"_s || m_selected.startsWith(u"half"_s));
-}
-
-void MainWindow::showMold(bool shown) {
-    const void* wanted = shown ? m_bench.mold().get() : nullptr;
-    m_viewBar->setMoldShown(shown);
-    if (wanted == m_shownMold)
-        return;
-    m_shownMold = wanted;
-    scene::Scene& scene = m_view->scene();
-    if (shown) {
-        const Mold& mold = *m_bench.mold();
-        scene.setHalves(m_bench.drawnHalf(1), m_bench.drawnHalf(2), mold.partToMold.inverse(),
-                        m_bench.project().cast->state.directions);
-        scene.setOpening(m_viewBar->opening());
-    } else {
-        scene.setHalves(nullptr, nullptr, Eigen::Isometry3d::Identity(), {});
-    }
 }
 
 void MainWindow::refreshHistory() {
@@ -234,6 +147,8 @@ void MainWindow::refreshActions() {
             return m_bench.running();
         case Needs::Bending:
             return m_bench.bending();
+        case Needs::Measured:
+            return !m_measure->measurement().empty();
         case Needs::Undo:
             return idle && history.canUndo();
         case Needs::Redo:
@@ -249,8 +164,7 @@ void MainWindow::refreshActions() {
         pause->setText(words);
         pause->setIcon(themeIcon(m_bench.resting() ? u"play"_s : u"pause"_s));
     }
-    m_actions[u"show-plane"_s]->setChecked(m_visible.plane);
-    m_actions[u"show-directions"_s]->setChecked(m_visible.directions);
+    refreshViewActions();
 }
 
 void MainWindow::refreshTitle() {
@@ -265,11 +179,16 @@ void MainWindow::refreshTitle() {
 }
 
 void MainWindow::refreshHint() {
+    if (m_turntable)
+        return; // it tells how far it is
     const QString keys = tr("<b>?</b> shows all keys.");
     if (!m_bench.project().part)
         m_hint->setText(tr("Open a part, drop one here, or choose a sample. %1").arg(keys));
-    else if (m_view->pickingFaces())
+    else if (m_view->picking() == PartView::Picking::Face)
         m_hint->setText(tr("<b>Click</b> the face that shall lie on the ground. <b>Esc</b> leaves."));
+    else if (m_measure->active())
+        m_hint->setText(tr("<b>Click</b> a place, a second for the distance, a third for the angle. "
+                           "<b>Ctrl+C</b> copies, <b>Esc</b> leaves."));
     else if (m_bench.resting())
         m_hint->setText(
             tr("The shape rests. <b>Space</b> bends it further, <b>Ctrl+Shift+Return</b> finishes it."));
@@ -334,15 +253,6 @@ void MainWindow::chooseStep(int step) {
         m_actions[u"print-report"_s]->trigger();
         break;
     }
-}
-
-void MainWindow::setMode(DisplayMode mode) {
-    m_mode = mode;
-    m_viewBar->setMode(mode);
-    m_actions[u"show-undercuts"_s]->setChecked(mode == DisplayMode::Undercuts);
-    m_actions[u"show-draft"_s]->setChecked(mode == DisplayMode::DraftMap);
-    m_actions[u"show-plain"_s]->setChecked(mode == DisplayMode::Plain);
-    refreshSoon();
 }
 
 } // namespace moldwright

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "scene/drawn_mesh.h"
-#include "scene/overlay.h"
+#include "scene/scene.h"
 #include "theme/theme.h"
 #include "window/action_table.h"
 #include "window/presentation.h"
@@ -21,6 +20,7 @@ namespace moldwright {
 
 class Banner;
 class CommandSearch;
+class MeasureTool;
 class MessageList;
 class PartView;
 class ProgressPlots;
@@ -28,11 +28,16 @@ class ProjectModel;
 class ProjectTree;
 class PropertyPanel;
 class StartPage;
+class Turntable;
+class ViewArea;
 class ViewBar;
+class ViewPane;
 class WorkflowBar;
 class Workbench;
 struct Advice;
+struct FaceMap;
 struct OpenedMesh;
+struct ShownSurface;
 
 /// The window: shows the workbench and sends it what the user wants. It holds no data of its own but what is
 /// hidden and selected, so that it can be built anew when the language changes.
@@ -43,7 +48,9 @@ public:
     ~MainWindow() override;
 
     [[nodiscard]] Actions& actions() { return m_actions; }
+    /// The active view.
     [[nodiscard]] PartView& view() { return *m_view; }
+    [[nodiscard]] ViewArea& views() { return *m_views; }
 
     /// Remembers where window and panels are, for the next window.
     void keepLayout() const;
@@ -74,13 +81,11 @@ private:
     // main_window_actions.cpp
     void connectActions();
     void connectFileActions();
-    void connectViewActions();
     void connectPartActions();
     void connectWindowActions();
     void connectBench();
     void advise(const Advice& advice);
     void connectPanels();
-    void connectView();
     void askTurn();
     void showKeys();
     void showAbout();
@@ -88,6 +93,24 @@ private:
     void walkZones(int way);
     void useThemeChoice(ThemeChoice choice);
     void escape();
+    void usePicking();
+
+    // main_window_views.cpp
+    void buildViews(QWidget* parent);
+    void connectPane(ViewPane& pane);
+    void connectViewActions();
+    void connectVisibility();
+    void showViewMenu(const QPoint& place);
+    void setMode(DisplayMode mode);
+    void refreshViewActions();
+    void refreshViews();
+    void refreshView(ViewPane& pane);
+    void showSurface(PartView& view, const ShownSurface& surface, DisplayMode mode, const FaceMap* map);
+    void showCut(ViewPane& pane);
+    [[nodiscard]] std::vector<scene::Chip> chipsIn(const scene::Scene& scene, const FaceMap* map) const;
+    void showMold(scene::Scene& scene, bool shown);
+    [[nodiscard]] bool moldShown() const;
+    void useLook();
 
     // main_window_files.cpp
     void chooseFileToOpen();
@@ -99,6 +122,7 @@ private:
     void saveAs(const std::function<void()>& then = {});
     void saveTo(const QString& file, const std::function<void()>& then);
     void saveScreenshot();
+    void saveTurntable();
     /// Does `then` once the open document may go: it is unchanged, saved now, or given up.
     void leaving(const std::function<void()>& then);
     /// Does `then` once no job runs; a running one is stopped.
@@ -109,9 +133,6 @@ private:
     // main_window.cpp
     void refreshSoon() { m_refresh.start(); }
     void refresh();
-    void refreshView();
-    void showSurface(const scene::SharedDrawnMesh& drawn);
-    [[nodiscard]] std::vector<scene::Chip> chipsInView() const;
     void refreshHistory();
     void refreshActions();
     void refreshTitle();
@@ -119,9 +140,6 @@ private:
     void refreshProperties(bool evenIfSame = false);
     void select(const QString& id);
     void chooseStep(int step);
-    void setMode(DisplayMode mode);
-    void showMold(bool shown);
-    [[nodiscard]] bool moldShown() const;
     void applyTheme();
 
     static constexpr int layoutVersion = 1; ///< of the docks; another one forgets what was kept
@@ -130,17 +148,19 @@ private:
     Actions m_actions;
     QTimer m_refresh;
     Visibility m_visible;
-    DisplayMode m_mode = DisplayMode::Undercuts;
     QString m_selected = QStringLiteral("part");
-    bool m_fitWhenDrawn = true;        ///< the next surface is to be brought into sight
-    const void* m_shownMold = nullptr; ///< what the scene holds, to change it only when needed
+    enum class Fit { Not, AsTheyLook, FromHome };
+    Fit m_fitWhenDrawn = Fit::FromHome; ///< how the next surfaces are to be brought into sight
 
     WorkflowBar* m_workflow = nullptr;
     QStackedWidget* m_centre = nullptr;
     StartPage* m_start = nullptr;
     Banner* m_banner = nullptr;
     ViewBar* m_viewBar = nullptr;
-    PartView* m_view = nullptr;
+    ViewArea* m_views = nullptr;
+    PartView* m_view = nullptr; ///< the active one
+    MeasureTool* m_measure = nullptr;
+    Turntable* m_turntable = nullptr; ///< while one is taken
     ProjectModel* m_projectModel = nullptr;
     ProjectTree* m_tree = nullptr;
     PropertyPanel* m_properties = nullptr;

@@ -16,11 +16,15 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
+#include "window/measure_tool.h"
 #include "window/obstruction_words.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/turn_dialog.h"
+#include "window/turntable.h"
+#include "window/view_area.h"
 #include "window/view_bar.h"
+#include "window/view_pane.h"
 #include "window/workbench.h"
 
 #include <QActionGroup>
@@ -38,16 +42,6 @@
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
-
-namespace {
-
-/// A direction turned by hand is meant: the run shall take it as it is.
-Project draggedTo(const Project& project, const MoldState& state, scene::Grip grip) {
-    const bool direction = grip == scene::Grip::Direction1 || grip == scene::Grip::Direction2;
-    return direction ? withDirections(project, state.directions) : withState(project, state, true);
-}
-
-} // namespace
 
 void MainWindow::connectActions() {
     connectFileActions();
@@ -68,47 +62,15 @@ void MainWindow::connectFileActions() {
     m_actions.on(u"quit"_s, [this] { close(); });
     m_actions.on(u"undo"_s, [this] { m_bench.document().undo(); });
     m_actions.on(u"redo"_s, [this] { m_bench.document().redo(); });
+    m_actions.on(u"copy-measured"_s, [this] { m_measure->copy(); });
     m_actions.on(u"find-command"_s, [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
-}
-
-void MainWindow::connectViewActions() {
-    m_actions.on(u"fit"_s, [this] { m_view->fitAll(); });
-    m_actions.on(u"home"_s, [this] { m_view->lookHome(); });
-    m_actions.on(u"front"_s, [this] { m_view->lookFrom(-Eigen::Vector3d::UnitY()); });
-    m_actions.on(u"right"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitX()); });
-    m_actions.on(u"top"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitZ()); });
-    m_actions.on(u"opposite"_s, [this] { m_view->lookFromOpposite(); });
-    m_actions.on(u"along-normal"_s, [this] { m_view->lookFrom(m_bench.project().state->plane.normal); });
-    m_actions.on(u"perspective"_s,
-                 [this] { m_view->setPerspective(m_actions[u"perspective"_s]->isChecked()); });
-    m_actions.on(u"show-undercuts"_s, [this] { setMode(DisplayMode::Undercuts); });
-    m_actions.on(u"show-draft"_s, [this] { setMode(DisplayMode::DraftMap); });
-    m_actions.on(u"show-plain"_s, [this] { setMode(DisplayMode::Plain); });
-    m_actions[u"show-undercuts"_s]->setChecked(true);
-    m_actions.on(u"show-plane"_s, [this] {
-        m_visible.plane = m_actions[u"show-plane"_s]->isChecked();
-        refreshSoon();
-    });
-    m_actions.on(u"show-directions"_s, [this] {
-        m_visible.directions = m_actions[u"show-directions"_s]->isChecked();
-        refreshSoon();
-    });
-    m_actions.on(u"show-edges"_s, [this] {
-        m_view->scene().setEdges(m_actions[u"show-edges"_s]->isChecked());
-        m_view->redraw();
-    });
-    m_actions.on(u"see-through"_s, [this] {
-        m_view->scene().setSeeThrough(m_actions[u"see-through"_s]->isChecked());
-        m_view->redraw();
-    });
-    m_actions.on(u"screenshot"_s, [this] { saveScreenshot(); });
 }
 
 void MainWindow::connectPartActions() {
     m_actions.on(u"lay-flat"_s, [this] {
-        m_view->setPickingFaces(m_actions[u"lay-flat"_s]->isChecked());
-        refreshSoon();
-        if (m_view->pickingFaces() && m_bench.castShown())
+        m_measure->setActive(false);
+        usePicking();
+        if (m_actions[u"lay-flat"_s]->isChecked() && m_bench.castShown())
             m_bench.restoreShape();
     });
     m_actions.on(u"turn-x"_s, [this] { m_bench.quarterTurnPart(Eigen::Vector3d::UnitX()); });
@@ -181,8 +143,9 @@ void MainWindow::connectBench() {
     connect(&m_bench, &Workbench::partOpened, this, [this] {
         m_banner->hide();
         select(u"part"_s);
-        m_view->scene().setSurface(nullptr, {});
-        m_fitWhenDrawn = true;
+        for (const ViewPane* pane : m_views->made())
+            pane->view().scene().setSurface(nullptr, {});
+        m_fitWhenDrawn = Fit::FromHome;
         refresh();
         m_view->setFocus();
     });
@@ -244,40 +207,11 @@ void MainWindow::connectPanels() {
             [this](const QString& id, const QVariant& value) { applyProperty(m_bench, id, value, true); });
     connect(m_properties, &PropertyPanel::committed, this,
             [this](const QString& id, const QVariant& value) { applyProperty(m_bench, id, value, false); });
-    connect(m_messages, &MessageList::showMe, m_view, &PartView::frame);
+    connect(m_messages, &MessageList::showMe, this,
+            [this](const Eigen::AlignedBox3d& place) { m_view->frame(place); });
     connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {
         if (row >= 0 && !m_bench.background().busy())
             m_bench.document().goTo(static_cast<std::size_t>(row));
-    });
-}
-
-void MainWindow::connectView() {
-    connect(m_view, &PartView::dragPreviewed, this, [this](const MoldState& state, scene::Grip grip) {
-        m_bench.document().preview(draggedTo(m_bench.document().committed(), state, grip));
-    });
-    connect(m_view, &PartView::dragCommitted, this, [this](const MoldState& state, scene::Grip grip) {
-        const QString words = grip == scene::Grip::Direction1   ? tr("Turn direction 1")
-                              : grip == scene::Grip::Direction2 ? tr("Turn direction 2")
-                                                                : tr("Move the plane");
-        m_bench.document().edit(words, draggedTo(m_bench.document().committed(), state, grip));
-    });
-    connect(m_view, &PartView::dragCancelled, this, [this] { m_bench.document().endPreview(); });
-    connect(m_view, &PartView::faceClicked, this, [this](int face) {
-        m_bench.layFlatOn(face);
-        escape();
-    });
-    connect(m_view, &PartView::markClicked, this, [this](int chip) { select(obstructionId(chip)); });
-    connect(m_view, &PartView::menuRequested, this, [this](const QPoint& place) {
-        QMenu menu;
-        for (const QString& id : {u"fit"_s, u"home"_s, u"along-normal"_s, u"show-plane"_s,
-                                  u"show-directions"_s, u"see-through"_s, u"lay-flat"_s, u"run"_s})
-            menu.addAction(m_actions[id]);
-        menu.exec(place);
-    });
-    connect(m_viewBar, &ViewBar::modeChosen, this, &MainWindow::setMode);
-    connect(m_viewBar, &ViewBar::openingChanged, this, [this](double opening) {
-        m_view->scene().setOpening(opening);
-        m_view->fitAll();
     });
 }
 
@@ -329,7 +263,10 @@ void MainWindow::showProblem(const QString& headline, const QString& text) {
 }
 
 void MainWindow::walkZones(int way) {
-    const QList<QWidget*> zones = {m_workflow->step(0), m_tree, m_view, m_properties, m_messages, m_start};
+    QList<QWidget*> zones = {m_workflow->step(0), m_tree};
+    for (const ViewPane* pane : m_views->shown())
+        zones << &pane->view();
+    zones << m_properties << m_messages << m_start;
     QList<QWidget*> seen;
     for (QWidget* zone : zones)
         if (zone->isVisible())
@@ -358,10 +295,25 @@ void MainWindow::useThemeChoice(ThemeChoice choice) {
 }
 
 void MainWindow::escape() {
-    if (m_view->cancelDrag())
+    if (m_turntable) {
+        m_turntable->end();
         return;
+    }
+    for (const ViewPane* pane : m_views->shown())
+        if (pane->view().cancelDrag())
+            return;
     m_actions[u"lay-flat"_s]->setChecked(false);
-    m_view->setPickingFaces(false);
+    m_measure->setActive(false);
+    usePicking();
+}
+
+void MainWindow::usePicking() {
+    const auto picking = m_measure->active()                     ? PartView::Picking::Place
+                         : m_actions[u"lay-flat"_s]->isChecked() ? PartView::Picking::Face
+                                                                 : PartView::Picking::Nothing;
+    m_actions[u"measure"_s]->setChecked(m_measure->active());
+    for (const ViewPane* pane : m_views->made())
+        pane->view().setPicking(picking);
     refreshSoon();
 }
 

@@ -5,16 +5,20 @@
 #include "view/part_view.h"
 #include "window/import_dialog.h"
 #include "window/preferences.h"
+#include "window/turntable.h"
+#include "window/view_area.h"
 #include "window/workbench.h"
 
 #include <QBuffer>
 #include <QCloseEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
+#include <QSaveFile>
 
 namespace moldwright {
 
@@ -73,6 +77,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::keepLayout() const {
     preferences::setLayout(u"geometry"_s, saveGeometry());
+    preferences::setLayout(u"views"_s, m_views->saved());
     if (m_bench.project().part)
         preferences::setLayout(u"docks"_s, saveState(layoutVersion));
 }
@@ -183,6 +188,32 @@ void MainWindow::saveScreenshot() {
     const QString file = fileToWrite(tr("Save a picture"), u".png"_s, tr("PNG pictures (*.png)"));
     if (!file.isEmpty() && !m_view->grabFramebuffer().save(file))
         m_bench.say(Standing::Failing, tr("The picture could not be written to %1.").arg(file));
+}
+
+void MainWindow::saveTurntable() {
+    const QString file = fileToWrite(tr("Save a turntable"), u".png"_s, tr("Animated PNG (*.png)"));
+    if (file.isEmpty())
+        return;
+    auto* turntable = new Turntable(*m_view, this);
+    m_turntable = turntable;
+    connect(turntable, &Turntable::progressed, this, [this](int taken) {
+        m_hint->setText(
+            tr("Picture %1 of %2 around the part. <b>Esc</b> stops.").arg(taken).arg(Turntable::pictures));
+    });
+    connect(turntable, &Turntable::finished, this, [this, file](const AnimatedPng& animation) {
+        QSaveFile out(file);
+        const bool written =
+            out.open(QIODevice::WriteOnly) && out.write(animation.bytes()) >= 0 && out.commit();
+        m_bench.say(written ? Standing::Done : Standing::Failing,
+                    written ? tr("Turntable written to %1.").arg(file)
+                            : tr("The picture could not be written to %1.").arg(file));
+    });
+    connect(turntable, &Turntable::ended, this, [this, turntable] {
+        turntable->deleteLater();
+        m_turntable = nullptr;
+        refreshSoon();
+    });
+    turntable->start();
 }
 
 void MainWindow::askUnit(const OpenedMesh& opened) {

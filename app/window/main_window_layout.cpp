@@ -16,7 +16,9 @@
 #include "window/preferences.h"
 #include "window/samples.h"
 #include "window/status_progress.h"
+#include "window/view_area.h"
 #include "window/view_bar.h"
+#include "window/view_pane.h"
 #include "window/workbench.h"
 
 #include <QActionGroup>
@@ -83,7 +85,8 @@ void MainWindow::buildNavigationMenu(QMenu* menu) {
         group->addAction(action);
         connect(action, &QAction::triggered, this, [this, &scheme] {
             preferences::setNavigation(QString::fromStdString(scheme.id));
-            m_view->setNavigation(scheme);
+            for (const ViewPane* pane : m_views->made())
+                pane->view().setNavigation(scheme);
             m_navigationLabel->setText(tr("Navigation: %1").arg(QString::fromStdString(scheme.name)));
         });
     }
@@ -113,12 +116,8 @@ void MainWindow::buildCentre() {
     column->addWidget(m_banner);
     m_viewBar = new ViewBar(m_actions, work);
     column->addWidget(m_viewBar);
-    m_view = new PartView(work);
-    m_view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
-    m_view->scene().setCubeWords({tr("Front").toStdString(), tr("Back").toStdString(),
-                                  tr("Left").toStdString(), tr("Right").toStdString(),
-                                  tr("Top").toStdString(), tr("Bottom").toStdString()});
-    column->addWidget(m_view, 1);
+    buildViews(work);
+    column->addWidget(m_views, 1);
     m_centre->addWidget(work);
     setCentralWidget(m_centre);
 }
@@ -137,6 +136,7 @@ void MainWindow::buildDocks() {
     m_messages = new MessageList(m_bench.messages(), this);
     m_history = new QListWidget(this);
     m_history->setFrameShape(QFrame::NoFrame);
+    m_history->setObjectName(u"history"_s);
     m_history->setAccessibleName(tr("History"));
     m_history->setToolTip(tr("Every edit appears here. Click one to go back to it."));
 

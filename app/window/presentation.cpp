@@ -234,47 +234,11 @@ Verdict verdictOf(const Workbench& bench) {
     return {Standing::Warning, Words::tr("Not castable yet"), Words::tr("No undercut seen; Run proves it")};
 }
 
-scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode) {
-    scene::PanelContent legend;
-    const DraftAnalysis* analysis = bench.shownAnalysis();
-    const SharedMesh mesh = bench.analysedMesh();
-    if (!analysis || !mesh || mode == DisplayMode::Plain)
-        return legend;
-    const double required = bench.project().design.draftDegrees;
-    const auto line = [&](scene::Rgb colour, const QString& words, const QString& value) {
-        legend.lines.push_back({colour, {{words.toStdString()}}, value.toStdString()});
-    };
-    const auto area = [](double mm2) { return u"%1 cm²"_s.arg(mm2 / 100, 0, 'f', 1); };
-    if (mode == DisplayMode::Undercuts) {
-        const double all = bench.figures(bench.shownMesh()).area;
-        legend.title = Words::tr("Undercuts").toStdString();
-        line(theme().scene.undercut, Words::tr("Draft below %1").arg(angleText(required)),
-             area(analysis->violatingArea));
-        line(theme().scene.part, Words::tr("Draft %1 or more").arg(angleText(required)),
-             area(all - analysis->violatingArea));
-        return legend;
-    }
-    std::array<double, 7> areas{};
-    for (int f = 0; f < mesh->faceCount(); ++f)
-        areas[scene::draftClass(analysis->faceDraft[f], required)] += doubleAreaVector(*mesh, f).norm() / 2;
-    legend.title = Words::tr("Draft").toStdString();
-    const std::array<QString, 7> words = {
-        Words::tr("below %1").arg(angleText(-15, 0)),
-        Words::tr("%1 to %2").arg(angleText(-15, 0), angleText(-5, 0)),
-        Words::tr("%1 to %2").arg(angleText(-5, 0), angleText(0, 0)),
-        Words::tr("%1 to %2").arg(angleText(0, 0), angleText(required)),
-        Words::tr("%1 to %2").arg(angleText(required), angleText(std::max(3.0, required), 0)),
-        Words::tr("%1 to %2")
-            .arg(angleText(std::max(3.0, required), 0), angleText(std::max(10.0, required), 0)),
-        Words::tr("above %1").arg(angleText(std::max(10.0, required), 0))};
-    for (int c = 6; c >= 0; --c)
-        line(scene::draftClassColours()[c], words[c], area(areas[c]));
-    return legend;
-}
-
-scene::PanelContent stateChipFor(const Workbench& bench) {
+scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content) {
     QString words;
-    if (bench.running())
+    if (content == ViewContent::Part)
+        words = Words::tr("Part as opened");
+    else if (bench.running())
         words = !bench.frame()    ? Words::tr("Starting")
                 : bench.resting() ? Words::tr("Step %1, paused").arg(bench.frame()->frame.step)
                                   : Words::tr("Step %1, live").arg(bench.frame()->frame.step);
@@ -283,21 +247,6 @@ scene::PanelContent stateChipFor(const Workbench& bench) {
     else
         words = Words::tr("Part as opened");
     return {{}, {{std::nullopt, {{words.toStdString()}}, {}}}};
-}
-
-std::vector<scene::Rgb> faceColours(std::size_t faces, const DraftAnalysis* analysis, double requiredDegrees,
-                                    DisplayMode mode) {
-    const scene::SceneColours& colours = theme().scene;
-    std::vector<scene::Rgb> painted(faces, colours.part);
-    if (!analysis || mode == DisplayMode::Plain)
-        return painted;
-    for (std::size_t f = 0; f < faces && f < analysis->violating.size(); ++f)
-        if (mode == DisplayMode::DraftMap)
-            painted[f] =
-                scene::draftClassColours()[scene::draftClass(analysis->faceDraft[f], requiredDegrees)];
-        else if (analysis->violating[f])
-            painted[f] = colours.undercut;
-    return painted;
 }
 
 } // namespace moldwright

@@ -6,6 +6,7 @@
 #include "panels/project_tree.h"
 #include "scene/overlay.h"
 #include "theme/icons.h"
+#include "window/display_mode.h"
 
 #include <QString>
 
@@ -15,9 +16,6 @@
 namespace moldwright {
 
 class Workbench;
-
-/// What the faces are painted by.
-enum class DisplayMode { Undercuts, DraftMap, Plain };
 
 /// What the user hid.
 struct Visibility {
@@ -47,13 +45,8 @@ struct Verdict {
 [[nodiscard]] std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& visible);
 [[nodiscard]] Verdict verdictOf(const Workbench& bench);
 
-/// The view's flat parts.
-[[nodiscard]] scene::PanelContent legendFor(const Workbench& bench, DisplayMode mode);
-[[nodiscard]] scene::PanelContent stateChipFor(const Workbench& bench);
-
-/// One colour per face of a surface with this many faces; `analysis` may be null.
-[[nodiscard]] std::vector<scene::Rgb> faceColours(std::size_t faces, const DraftAnalysis* analysis,
-                                                  double requiredDegrees, DisplayMode mode);
+/// What a view with this content shows, in a word.
+[[nodiscard]] scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content);
 
 /// "12.3°" with a true minus; a draft is rounded down, so that nothing is promised that does not hold.
 [[nodiscard]] QString angleText(double degrees, int decimals = 1);

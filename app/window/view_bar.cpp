@@ -4,11 +4,9 @@
 #include "window/action_table.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
 #include <QStyle>
-#include <QToolButton>
 #include <QVariantAnimation>
 
 #include <cmath>
@@ -22,14 +20,6 @@ namespace {
 constexpr int openingSteps = 1000;
 constexpr int openingMilliseconds = 700;
 
-QFrame* divider(QWidget* parent) {
-    auto* line = new QFrame(parent);
-    line->setFixedSize(1, 20);
-    line->setAutoFillBackground(true);
-    line->setBackgroundRole(QPalette::Midlight);
-    return line;
-}
-
 QLabel* barLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setForegroundRole(QPalette::PlaceholderText);
@@ -39,50 +29,60 @@ QLabel* barLabel(const QString& text, QWidget* parent) {
 
 } // namespace
 
-ViewBar::ViewBar(const Actions& actions, QWidget* parent) : QFrame(parent) {
+ViewBar::ViewBar(const Actions& actions, QWidget* parent) : QToolBar(parent) {
     setFixedHeight(36);
+    setMovable(false);
+    setIconSize({20, 20});
     setAccessibleName(tr("Tools of the view"));
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(8, 0, 8, 0);
-    row->setSpacing(4);
-    addTool(actions[u"lay-flat"_s], row);
-    row->addWidget(divider(this));
-    row->addWidget(barLabel(tr("Show"), this));
+    addTool(actions[u"lay-flat"_s]);
+    addSeparator();
+    addWidget(barLabel(tr("Show"), this));
     m_mode = new QComboBox(this);
-    m_mode->addItems({tr("Undercuts"), tr("Draft map"), tr("Plain")});
+    m_mode->addItems(displayModeNames());
     m_mode->setFixedHeight(24);
     m_mode->setMinimumWidth(140);
     m_mode->setAccessibleName(tr("What the faces show"));
     m_mode->setObjectName(u"display-mode"_s);
     connect(m_mode, &QComboBox::activated, this,
             [this](int index) { Q_EMIT modeChosen(static_cast<DisplayMode>(index)); });
-    row->addWidget(m_mode);
-    row->addWidget(divider(this));
-    for (const QString& id : {u"show-plane"_s, u"show-directions"_s, u"show-edges"_s, u"see-through"_s})
-        addTool(actions[id], row);
+    addWidget(m_mode);
+    addSeparator();
+    for (const QString& id : {u"show-plane"_s, u"show-directions"_s, u"show-edges"_s, u"see-through"_s,
+                              u"measure"_s, u"section"_s})
+        addTool(actions[id]);
+    addOpening();
+    auto* space = new QWidget(this);
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(space);
+    for (const QString& id : {u"one-view"_s, u"two-views"_s, u"four-views"_s, u"link-views"_s})
+        addTool(actions[id]);
+    addSeparator();
+    for (const QString& id : {u"fit"_s, u"perspective"_s, u"screenshot"_s})
+        addTool(actions[id]);
+    setMoldShown(false);
+}
+
+void ViewBar::addOpening() {
     m_opening = new QSlider(Qt::Horizontal, this);
     m_opening->setRange(0, openingSteps);
     m_opening->setFixedWidth(140);
     m_opening->setAccessibleName(tr("How far the mold is open"));
     m_opening->setObjectName(u"opening"_s);
-    connect(m_opening, &QSlider::valueChanged, this, [this] { Q_EMIT openingChanged(opening()); });
-    m_moldParts = {divider(this), barLabel(tr("Mold closed"), this), m_opening, barLabel(tr("open"), this)};
-    for (QWidget* part : m_moldParts)
-        row->addWidget(part);
-    row->addStretch(1);
-    for (const QString& id : {u"fit"_s, u"perspective"_s, u"screenshot"_s})
-        addTool(actions[id], row);
-    setMoldShown(false);
+    m_percent = barLabel(u"0 %"_s, this);
+    m_percent->setMinimumWidth(44);
+    connect(m_opening, &QSlider::valueChanged, this, [this] {
+        m_percent->setText(u"%1 %"_s.arg(std::lround(100 * opening())));
+        Q_EMIT openingChanged(opening());
+    });
+    m_moldParts = {addSeparator(), addWidget(barLabel(tr("Mold opened"), this)), addWidget(m_opening),
+                   addWidget(m_percent)};
 }
 
-void ViewBar::addTool(QAction* action, QHBoxLayout* row) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(action);
-    button->setIconSize({20, 20});
+void ViewBar::addTool(QAction* action) {
+    addAction(action);
+    QWidget* button = widgetForAction(action);
     button->setFixedSize(28, 28);
-    button->setAutoRaise(true);
     button->setAccessibleName(action->text().remove(u'&'));
-    row->addWidget(button);
 }
 
 void ViewBar::setMode(DisplayMode mode) {
@@ -90,7 +90,7 @@ void ViewBar::setMode(DisplayMode mode) {
 }
 
 void ViewBar::setMoldShown(bool shown) {
-    for (QWidget* part : m_moldParts)
+    for (QAction* part : m_moldParts)
         part->setVisible(shown);
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "window/presentation.h"
+#include "window/display_mode.h"
 
-#include <QFrame>
+#include <QToolBar>
 
-class QAction;
 class QComboBox;
-class QHBoxLayout;
+class QLabel;
 class QSlider;
 
 namespace moldwright {
@@ -15,7 +14,7 @@ namespace moldwright {
 class Actions;
 
 /// The tool bar above the view: tools and display left, camera right, and the slider that opens the mold.
-class ViewBar : public QFrame {
+class ViewBar : public QToolBar {
     Q_OBJECT
 public:
     ViewBar(const Actions& actions, QWidget* parent = nullptr);
@@ -31,11 +30,13 @@ Q_SIGNALS:
     void openingChanged(double opening);
 
 private:
-    void addTool(QAction* action, QHBoxLayout* row);
+    void addTool(QAction* action);
+    void addOpening();
 
     QComboBox* m_mode;
     QSlider* m_opening;
-    QList<QWidget*> m_moldParts;
+    QLabel* m_percent;
+    QList<QAction*> m_moldParts;
 };
 
 } // namespace moldwright

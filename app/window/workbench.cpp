@@ -24,11 +24,20 @@ Eigen::AlignedBox3d boxAround(const std::vector<Eigen::Vector3d>& places) {
 Workbench::Workbench(QObject* parent) : QObject(parent) {
     connect(&m_document, &Document::changed, this, [this] {
         askAnalysis();
+        askPart();
         Q_EMIT changed();
     });
     connect(&m_document, &Document::historyChanged, this, &Workbench::changed);
     connect(&m_analysis, &LiveAnalysis::answered, this, [this](const auto& answer) {
         m_answer = answer;
+        Q_EMIT changed();
+    });
+    connect(&m_partAnalysis, &LiveAnalysis::answered, this, [this](const auto& answer) {
+        m_partAnswer = answer;
+        Q_EMIT changed();
+    });
+    connect(&m_liveMaps, &LiveMaps::answered, this, [this](const auto& map) {
+        m_maps[{map->request.content, map->request.mode}] = map;
         Q_EMIT changed();
     });
     connect(&m_background, &Background::started, this, &Workbench::changed);
@@ -76,11 +85,6 @@ const DraftAnalysis* Workbench::shownAnalysis() const {
 
 bool Workbench::analysisIsCoarse() const {
     return m_frame ? m_frame->drawn && m_frame->drawn->sketched() : m_answer && m_answer->coarse;
-}
-
-SharedMesh Workbench::analysedMesh() const {
-    const scene::SharedDrawnMesh drawn = drawnSurface();
-    return drawn && analysisIsCoarse() ? drawn->standIn->mesh : shownMesh();
 }
 
 scene::SharedDrawnMesh Workbench::drawnSurface() const {

@@ -8,9 +8,11 @@
 #include "panels/message_list.h"
 #include "panels/progress_plots.h"
 #include "window/background.h"
+#include "window/display_mode.h"
 #include "window/document.h"
 #include "window/frame_stream.h"
 #include "window/live_analysis.h"
+#include "window/live_maps.h"
 #include "window/mesh_figures.h"
 #include "window/run_control.h"
 
@@ -19,6 +21,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -38,6 +41,18 @@ struct Advice {
     QString headline;
     QString text;
     QString action; ///< id of the command, or empty
+};
+
+/// A surface as a view shows it. All null while it is not ready to be drawn.
+struct ShownSurface {
+    scene::SharedDrawnMesh drawn;
+    bool coarse = false;                                ///< only the stand-in's analysis is there
+    const DraftAnalysis* analysis = nullptr;            ///< of the surface; of its stand-in when `coarse`
+    const DraftAnalysis* standInAnalysis = nullptr;     ///< of a large surface
+    std::shared_ptr<const scene::SurfacePicker> picker; ///< null while it is not made
+
+    /// What `analysis` is of.
+    [[nodiscard]] SharedMesh analysed() const { return coarse ? drawn->standIn->mesh : drawn->mesh; }
 };
 
 /// Everything the window works on: the document, what is derived from it, and the jobs that change it. It
@@ -68,9 +83,15 @@ public:
     [[nodiscard]] const AnalysisAnswer* analysis() const { return m_answer.get(); }
     [[nodiscard]] bool analysisIsCurrent() const;
     [[nodiscard]] const DraftAnalysis* shownAnalysis() const;
-    /// What shownAnalysis() is of: shownMesh(), or its stand-in when `coarse`.
+    /// Whether shownAnalysis() is of the stand-in of shownMesh() only.
     [[nodiscard]] bool analysisIsCoarse() const;
-    [[nodiscard]] SharedMesh analysedMesh() const;
+
+    /// What a view is to show of it.
+    [[nodiscard]] ShownSurface surface(ViewContent content) const;
+    /// The newest map of it in this mode, also while one of a moved plane is still being made; null for none.
+    [[nodiscard]] const FaceMap* map(ViewContent content, DisplayMode mode);
+    /// Whether the part as it was opened is to be kept ready beside its cast.
+    void keepPartReady(bool wanted);
 
     /// Whether the cast in view is proved on its coordinates.
     [[nodiscard]] bool castIsProved() const;
@@ -169,6 +190,9 @@ private:
     void tellOfStop(const DesignResult& result);
     void pullFrames();
     void askAnalysis();
+    void askPart();
+    [[nodiscard]] std::optional<MapRequest> mapRequest(ViewContent content, DisplayMode mode) const;
+    [[nodiscard]] const AnalysisAnswer* partAnswer() const;
     void complain(const Error& error, const QString& what);
 
     Document m_document;
@@ -176,6 +200,12 @@ private:
     LiveAnalysis m_analysis;
     MessageModel m_messages;
     std::shared_ptr<const AnalysisAnswer> m_answer;
+    LiveAnalysis m_partAnalysis; ///< of the part while its cast is shown beside it
+    std::shared_ptr<const AnalysisAnswer> m_partAnswer;
+    bool m_partWanted = false;
+    LiveMaps m_liveMaps;
+    std::map<std::pair<ViewContent, DisplayMode>, std::shared_ptr<const FaceMap>> m_maps;
+    std::map<std::pair<ViewContent, DisplayMode>, MapRequest> m_asked; ///< for each map the last request
     mutable KnownFigures m_figures;
     std::shared_ptr<FrameStream> m_stream;
     std::shared_ptr<RunControl> m_control;

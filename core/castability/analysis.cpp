@@ -87,7 +87,10 @@ std::vector<Undercut> gatherUndercuts(const IndexedMesh& mesh, const DraftAnalys
     return undercuts;
 }
 
-void measureDepths(const IndexedMesh& mesh, const MoldState& state, std::vector<Undercut>& undercuts) {
+/// The way blocked over every face of every region.
+std::vector<double> depthsOf(const IndexedMesh& mesh, const MoldState& state,
+                             const std::vector<Undercut>& undercuts) {
+    std::vector<double> depths(static_cast<std::size_t>(mesh.faceCount()), 0);
     for (const int side : {1, 2}) {
         std::vector<int> faces;
         for (int f = 0; f < mesh.faceCount(); ++f) {
@@ -96,15 +99,22 @@ void measureDepths(const IndexedMesh& mesh, const MoldState& state, std::vector<
                 faces.push_back(f);
         }
         const Overhang overhang(mesh, faces, state.directions.of(side));
-        for (Undercut& undercut : undercuts) {
+        for (const Undercut& undercut : undercuts) {
             if (undercut.side != side)
                 continue;
             for (const int f : undercut.faces)
-                undercut.depth =
-                    std::max(undercut.depth,
-                             overhang.above((mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3));
+                depths[static_cast<std::size_t>(f)] =
+                    overhang.above((mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3);
         }
     }
+    return depths;
+}
+
+void measureDepths(const IndexedMesh& mesh, const MoldState& state, std::vector<Undercut>& undercuts) {
+    const std::vector<double> depths = depthsOf(mesh, state, undercuts);
+    for (Undercut& undercut : undercuts)
+        for (const int f : undercut.faces)
+            undercut.depth = std::max(undercut.depth, depths[static_cast<std::size_t>(f)]);
 }
 
 } // namespace
@@ -156,6 +166,10 @@ DraftAnalysis analyzeDraft(const IndexedMesh& mesh, const MoldState& state, doub
     if (withDepths)
         measureDepths(mesh, state, result.undercuts);
     return result;
+}
+
+std::vector<double> undercutDepths(const IndexedMesh& mesh, const MoldState& state, double requiredDraft) {
+    return depthsOf(mesh, state, analyzeDraft(mesh, state, requiredDraft, false).undercuts);
 }
 
 } // namespace moldwright

@@ -42,4 +42,9 @@ struct DraftAnalysis {
 [[nodiscard]] DraftAnalysis analyzeDraft(const IndexedMesh& mesh, const MoldState& state, double draftDegrees,
                                          bool withDepths = true);
 
+/// How far each face's undercut is blocked, mm: from its middle along the direction of its side to the
+/// outermost face over it; 0 for faces that are no undercut. The largest of a region is its Undercut::depth.
+[[nodiscard]] std::vector<double> undercutDepths(const IndexedMesh& mesh, const MoldState& state,
+                                                 double draftDegrees);
+
 } // namespace moldwright

@@ -38,6 +38,7 @@ void takeCast(DesignResult& result, const PartedPart& part, const BentShape& ben
     const std::vector<int>& source = surface.sourceVertex;
     DraftAnalysis analysis;
     result.labels = surface.labels;
+    result.before = before.V(source, Eigen::all);
     parallelInvoke(
         {[&] { result.certificate = certify(rounded, surface.labels, part.state, request.draftDegrees); },
          [&] { result.limbs = measureLimbs(before, rounded, source, request.limbTips); },

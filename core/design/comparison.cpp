@@ -21,14 +21,41 @@ constexpr double kLongestReach = 0.6;
 constexpr double kReachStep = 0.01;
 constexpr double kWidening = 2.6; ///< dA/dr over A/r: a tube has 1, a cone 2, a joint more
 
-/// Mean over the surface, and largest, of the distance from `from`'s points to `to`.
-std::pair<double, double> surfaceDistance(const IndexedMesh& from, const IndexedMesh& to) {
+/// The distance from each of `from`'s points to `to`.
+std::vector<double> pointDistances(const IndexedMesh& from, const IndexedMesh& to) {
     const ClosestPoint closest(to);
     std::vector<double> distance(static_cast<std::size_t>(from.vertexCount()));
     parallelFor(distance.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             distance[v] = closest.distance(from.point(static_cast<int>(v)));
     });
+    return distance;
+}
+
+std::vector<double> faceDistances(const IndexedMesh& from, const IndexedMesh& to) {
+    const std::vector<double> distance = pointDistances(from, to);
+    std::vector<double> ofFace;
+    ofFace.reserve(static_cast<std::size_t>(from.faceCount()));
+    for (int f = 0; f < from.faceCount(); ++f)
+        ofFace.push_back((distance[static_cast<std::size_t>(from.F(f, 0))] +
+                          distance[static_cast<std::size_t>(from.F(f, 1))] +
+                          distance[static_cast<std::size_t>(from.F(f, 2))]) /
+                         3);
+    return ofFace;
+}
+
+/// The part laid over its cast: moved as the cast's points moved, in the least squares sense.
+IndexedMesh fittedOver(const IndexedMesh& part, const Points& before, const IndexedMesh& cast) {
+    const Eigen::Isometry3d fit = bestRigidFit(before, cast.V);
+    IndexedMesh fitted = part;
+    for (int v = 0; v < part.vertexCount(); ++v)
+        fitted.V.row(v) = (fit * part.point(v)).transpose();
+    return fitted;
+}
+
+/// Mean over the surface, and largest, of the distance from `from`'s points to `to`.
+std::pair<double, double> surfaceDistance(const IndexedMesh& from, const IndexedMesh& to) {
+    const std::vector<double> distance = pointDistances(from, to);
     double sum = 0;
     double area = 0;
     for (int f = 0; f < from.faceCount(); ++f) {
@@ -165,15 +192,17 @@ Change measureChange(const IndexedMesh& part, const IndexedMesh& parted, const I
     Points before(cast.V.rows(), 3);
     for (std::size_t v = 0; v < sourceVertex.size(); ++v)
         before.row(static_cast<Eigen::Index>(v)) = parted.V.row(sourceVertex[v]);
-    const Eigen::Isometry3d fit = bestRigidFit(before, cast.V);
-    IndexedMesh fitted = part;
-    for (int v = 0; v < part.vertexCount(); ++v)
-        fitted.V.row(v) = (fit * part.point(v)).transpose();
+    const IndexedMesh fitted = fittedOver(part, before, cast);
     const auto [meanThere, maxThere] = surfaceDistance(cast, fitted);
     const auto [meanBack, maxBack] = surfaceDistance(fitted, cast);
     const double size = diagonal(part);
     return {(meanThere + meanBack) / 2 / size, std::max(maxThere, maxBack) / size,
             volume(cast) / volume(part), 0};
+}
+
+Deviation deviation(const IndexedMesh& part, const IndexedMesh& cast, const Points& before) {
+    const IndexedMesh fitted = fittedOver(part, before, cast);
+    return {faceDistances(cast, fitted), faceDistances(fitted, cast)};
 }
 
 std::vector<LimbMeasure> measureLimbs(const IndexedMesh& parted, const IndexedMesh& cast,

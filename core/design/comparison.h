@@ -16,6 +16,15 @@ namespace moldwright {
 [[nodiscard]] Change measureChange(const IndexedMesh& part, const IndexedMesh& parted,
                                    const IndexedMesh& cast, const std::vector<int>& sourceVertex);
 
+/// Distances between cast and part after the best rigid fit, as measureChange() takes them, mm: per face of
+/// each, the mean of its corners' distances to the other surface. `before`: n×3, where each point of cast
+/// was.
+struct Deviation {
+    std::vector<double> ofCast;
+    std::vector<double> ofPart;
+};
+[[nodiscard]] Deviation deviation(const IndexedMesh& part, const IndexedMesh& cast, const Points& before);
+
 /// How the limbs of the undeformed part came through: from each tip to where it joins the body, where the
 /// surface around the tip widens abruptly. `tips`: points near which the tips lie; empty: found on the part
 /// (limbTips()).

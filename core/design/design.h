@@ -113,6 +113,8 @@ struct PinnedPoint {
 struct DesignResult {
     SharedMesh cast; ///< mm, part frame, every coordinate a float; none when an obstruction stood in the way
     SideLabels labels; ///< side of each face of cast
+    Points before;     ///< n×3, mm, part frame: where each point of cast was before it was bent, in the part,
+                       ///< filled where it was filled
     MoldState state;
     bool castable = false; ///< exactly: certificate.holds()
     bool cutShort = false; ///< stopped before its end: what was reached until then

@@ -80,6 +80,7 @@ DesignResult judged(const Elastoplastic& solver, DesignRun& run) {
         result.pins.push_back({place, std::abs(result.state.plane.distance(place))});
     }
     result.limbs = measureLimbs(*request.part, cast, same, request.limbTips);
+    result.before = request.part->V;
     result.cast = std::make_shared<const IndexedMesh>(std::move(cast));
     return result;
 }

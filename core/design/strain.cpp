@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "design/strain.h"
 
+#include "base/parallel.h"
 #include "mesh/measures.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -25,6 +27,22 @@ Eigen::Matrix2d edgesInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
     Eigen::Matrix2d edges;
     edges << (b - a).norm(), (c - a).dot(x), 0, (c - a).dot(y);
     return edges;
+}
+
+/// How face f of `cast` was stretched from its corners' places in `before`: the larger principal stretch
+/// first; and its area then.
+struct Stretch {
+    Eigen::Vector2d sigma = Eigen::Vector2d::Ones();
+    double areaBefore = 0;
+};
+
+Stretch stretchOf(const std::array<Eigen::Vector3d, 3>& before, const IndexedMesh& cast, int f) {
+    const double area = (before[1] - before[0]).cross(before[2] - before[0]).norm() / 2;
+    if (!(area > 0))
+        return {};
+    const Eigen::Matrix2d F = edgesInPlane(cast.corner(f, 0), cast.corner(f, 1), cast.corner(f, 2)) *
+                              edgesInPlane(before[0], before[1], before[2]).inverse();
+    return {F.jacobiSvd().singularValues(), area};
 }
 
 /// The value below which `share` of the weight lies.
@@ -68,6 +86,19 @@ double rmsDihedral(const IndexedMesh& mesh) {
 
 } // namespace
 
+std::vector<double> faceStrains(const Points& before, const IndexedMesh& cast) {
+    std::vector<double> strains(static_cast<std::size_t>(cast.faceCount()));
+    parallelFor(strains.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            std::array<Eigen::Vector3d, 3> x;
+            for (int k = 0; k < 3; ++k)
+                x[static_cast<std::size_t>(k)] = before.row(cast.F(static_cast<int>(f), k)).transpose();
+            strains[f] = (stretchOf(x, cast, static_cast<int>(f)).sigma.array() - 1).matrix().norm();
+        }
+    });
+    return strains;
+}
+
 SurfaceStrain surfaceStrain(const IndexedMesh& before, const IndexedMesh& cast,
                             const std::vector<int>& sourceVertex) {
     std::vector<std::pair<double, double>> low;
@@ -79,12 +110,9 @@ SurfaceStrain surfaceStrain(const IndexedMesh& before, const IndexedMesh& cast,
         for (int k = 0; k < 3; ++k)
             x[static_cast<std::size_t>(k)] =
                 before.point(sourceVertex[static_cast<std::size_t>(cast.F(f, k))]);
-        const double area = (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
+        const auto& [sigma, area] = stretchOf(x, cast, f);
         if (!(area > 0))
             continue;
-        const Eigen::Matrix2d F = edgesInPlane(cast.corner(f, 0), cast.corner(f, 1), cast.corner(f, 2)) *
-                                  edgesInPlane(x[0], x[1], x[2]).inverse();
-        const Eigen::Vector2d sigma = F.jacobiSvd().singularValues();
         squares += area * (sigma.array() - 1).square().sum();
         whole += area;
         high.emplace_back(sigma[0], area);

@@ -15,6 +15,10 @@ struct SurfaceStrain {
     double roughness = 1;   ///< rms dihedral angle of the cast over that of the shape before
 };
 
+/// √(Σ (σ − 1)²) per face of `cast`, σ the two principal stretches from where its corners were; `before`:
+/// n×3, where each point of cast was. 0 for faces without area before.
+[[nodiscard]] std::vector<double> faceStrains(const Points& before, const IndexedMesh& cast);
+
 /// Strain from `before` to `cast`; `sourceVertex`: the point of `before` that each point of cast was. Faces
 /// without area before are left out.
 [[nodiscard]] SurfaceStrain surfaceStrain(const IndexedMesh& before, const IndexedMesh& cast,

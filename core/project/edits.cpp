@@ -109,8 +109,8 @@ Project withMoldSettings(Project project, const MoldSettings& settings) {
 
 Project withCast(Project project, const DesignResult& result, double draftDegrees) {
     project.state = result.state;
-    project.cast = std::make_shared<const CastResult>(
-        CastResult{result.cast, result.labels, result.state, draftDegrees, result.change, result.limbs});
+    project.cast = std::make_shared<const CastResult>(CastResult{
+        result.cast, result.labels, result.state, draftDegrees, result.change, result.limbs, result.before});
     return project;
 }
 

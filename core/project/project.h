@@ -47,6 +47,7 @@ struct CastResult {
     double draftDegrees = 1;
     Change change;
     std::vector<LimbMeasure> limbs;
+    Points before; ///< n×3, mm: where each point of mesh was before it was bent; none in files of old
 };
 
 /// The whole document as one value. Heavy meshes are shared and immutable, so a copy is cheap, an edit is a

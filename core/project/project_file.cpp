@@ -165,6 +165,14 @@ Result<void> readCast(const PartSource& parts, CastResult cast, Project& project
         return std::unexpected(labels.error());
     if (labels->size() != static_cast<std::size_t>(mesh->faceCount()))
         return damaged(parts.fileName(), "cast.labels");
+    if (parts.has("cast.before")) {
+        const Result<std::vector<double>> before = parts.part("cast.before", &readNumbersPart);
+        if (!before)
+            return std::unexpected(before.error());
+        if (static_cast<Eigen::Index>(before->size()) != mesh->V.size())
+            return damaged(parts.fileName(), "cast.before");
+        cast.before = Eigen::Map<const Points>(before->data(), mesh->V.rows(), 3);
+    }
     cast.mesh = std::make_shared<const IndexedMesh>(*std::move(mesh));
     cast.labels = *std::move(labels);
     project.cast = std::make_shared<const CastResult>(std::move(cast));
@@ -199,6 +207,8 @@ Result<std::string> projectBytes(const StoredProject& stored) {
     if (project.cast) {
         entries.push_back({"cast.mesh", meshPart(*project.cast->mesh)});
         entries.push_back({"cast.labels", labelsPart(project.cast->labels)});
+        if (const Points& before = project.cast->before; before.rows() > 0)
+            entries.push_back({"cast.before", numbersPart({before.data(), before.data() + before.size()})});
     }
     if (!stored.viewState.empty())
         entries.push_back({"view.json", stored.viewState});

@@ -61,3 +61,26 @@ TEST(DraftAnalysis, CastableShapeHasNoUndercut) {
     EXPECT_TRUE(analysis.undercuts.empty());
     EXPECT_NEAR(analysis.worstDraftDegrees, degrees(std::atan(0.1)), 1e-9);
 }
+
+TEST(UndercutDepths, AreZeroButUnderTheCapAndTellHowMuchIsOverIt) {
+    const IndexedMesh shape = mushroom();
+    const std::vector<double> depths = undercutDepths(shape, MoldState{}, 0);
+    const DraftAnalysis analysis = analyzeDraft(shape, MoldState{}, 0);
+    ASSERT_EQ(depths.size(), static_cast<std::size_t>(shape.faceCount()));
+    for (std::size_t f = 0; f < depths.size(); ++f)
+        EXPECT_NEAR(depths[f], analysis.violating[f] ? 1 : 0, 1e-12) << f;
+}
+
+TEST(UndercutDepths, TheLargestIsThatOfItsRegion) {
+    const IndexedMesh ring = test::torus(3, 1, 40, 24);
+    MoldState state;
+    state.plane.normal = Eigen::Vector3d(1, 0.2, 0.4).normalized();
+    state.directions = Directions::normalTo(state.plane);
+    const std::vector<double> depths = undercutDepths(ring, state, 2);
+    for (const Undercut& undercut : analyzeDraft(ring, state, 2).undercuts) {
+        double largest = 0;
+        for (const int f : undercut.faces)
+            largest = std::max(largest, depths[static_cast<std::size_t>(f)]);
+        EXPECT_EQ(largest, undercut.depth);
+    }
+}

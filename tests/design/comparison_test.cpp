@@ -97,3 +97,27 @@ TEST(MeasureLimbs, FindAStretchedHornByThemselves) {
     EXPECT_GT(horn->volumeRatio, 1.2);
     EXPECT_LT(horn->volumeRatio, 1.4);
 }
+
+TEST(Deviation, IsTheWayToTheOtherSurfaceAfterTheBestFit) {
+    const IndexedMesh part = test::sphere({0, 0, 0}, 10, 4);
+    IndexedMesh larger = part;
+    larger.V *= 1.1;
+    const Deviation there = deviation(part, moved(larger), part.V);
+    ASSERT_EQ(there.ofCast.size(), static_cast<std::size_t>(part.faceCount()));
+    ASSERT_EQ(there.ofPart.size(), static_cast<std::size_t>(part.faceCount()));
+    for (const std::vector<double>& side : {there.ofCast, there.ofPart}) {
+        EXPECT_NEAR(*std::ranges::min_element(side), 1, 0.02);
+        EXPECT_NEAR(*std::ranges::max_element(side), 1, 0.02);
+    }
+    const Deviation none = deviation(part, moved(part), part.V);
+    EXPECT_NEAR(*std::ranges::max_element(none.ofCast), 0, 1e-9);
+}
+
+TEST(Deviation, SitsWhereTheShapeWasChanged) {
+    const IndexedMesh part = hornedBall(0.5);
+    const IndexedMesh cast = hornedBall(1.5);
+    const std::vector<double> ofCast = deviation(part, cast, part.V).ofCast;
+    const auto largest = static_cast<int>(std::ranges::max_element(ofCast) - ofCast.begin());
+    EXPECT_GT(cast.corner(largest, 0).x(), 2);
+    EXPECT_NEAR(ofCast[static_cast<std::size_t>(largest)], 1, 0.15);
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "design/strain.h"
 
+#include "mesh/measures.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -48,6 +49,21 @@ TEST(Strain, AStretchedBoxShowsBothPrincipalStretches) {
     EXPECT_NEAR(strain.stretchHigh, 2, 1e-12);
     EXPECT_NEAR(strain.stretchLow, 1, 1e-12);
     EXPECT_NEAR(strain.rms, std::sqrt(4.0 / 6.0), 1e-12) << "four of six sides are twice as long one way";
+}
+
+TEST(Strain, EachFaceTellsItsOwn) {
+    const IndexedMesh box = test::box({0, 0, 0}, {1, 1, 1});
+    IndexedMesh longer = box;
+    longer.V.col(0) *= 2;
+    const std::vector<double> strains = faceStrains(box.V, longer);
+    ASSERT_EQ(strains.size(), 12U);
+    for (int f = 0; f < 12; ++f) {
+        const bool across = std::abs(doubleAreaVector(box, f).normalized().x()) > 0.5;
+        EXPECT_NEAR(strains[static_cast<std::size_t>(f)], across ? 0 : 1, 1e-12) << f;
+    }
+    Points flat = box.V;
+    flat.row(box.F(0, 1)) = flat.row(box.F(0, 0));
+    EXPECT_EQ(faceStrains(flat, longer)[0], 0) << "a face without area before";
 }
 
 TEST(Strain, ADentMakesTheSurfaceRougher) {

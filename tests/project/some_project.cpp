@@ -19,6 +19,7 @@ bool equal(const std::shared_ptr<const CastResult>& a, const std::shared_ptr<con
     return equal(a->mesh, b->mesh) && a->labels == b->labels && a->state == b->state &&
            a->draftDegrees == b->draftDegrees && a->change.meanDistance == b->change.meanDistance &&
            a->change.filledVolumeFraction == b->change.filledVolumeFraction &&
+           a->before.rows() == b->before.rows() && a->before == b->before &&
            a->limbs.size() == b->limbs.size() &&
            (a->limbs.empty() || (a->limbs.back().tip == b->limbs.back().tip &&
                                  a->limbs.back().volumeRatio == b->limbs.back().volumeRatio));
@@ -46,7 +47,8 @@ Project someProject() {
                                                       cast.state,
                                                       2.5,
                                                       {0.01, 0.02, 1.1, 0.03},
-                                                      {{{1, 2, 3}, 0.9, 0.8}}});
+                                                      {{{1, 2, 3}, 0.9, 0.8}},
+                                                      1.01 * cast.mesh.V});
     return project;
 }
 

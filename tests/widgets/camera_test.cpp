@@ -68,3 +68,9 @@ TEST(OrientationCube, AClickInTheMiddleOfAFaceAsksForThatView) {
     EXPECT_EQ(cubeView(front, 0.9, 0.9), Vector3d(1, -1, 1));
     EXPECT_FALSE(cubeView(front, 1.3, 0));
 }
+
+TEST(OrientationCube, KnowsWhichFaceIsLookedAt) {
+    for (int face = 0; face < 6; ++face)
+        EXPECT_EQ(faceSeen(lookingFrom({}, cubeFaces()[static_cast<std::size_t>(face)])), face);
+    EXPECT_EQ(faceSeen(slanted(false)), -1);
+}

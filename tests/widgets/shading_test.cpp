@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "scene/colours.h"
 #include "scene/shading.h"
-#include "scene/surface_picker.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -14,15 +13,6 @@ TEST(Shading, ASphereIsSmoothAndABoxIsSharp) {
     const IndexedMesh sphere = test::sphere(Vector3d::Zero(), 1, 3);
     EXPECT_EQ(shade(sphere).points.rows(), sphere.V.rows());
     EXPECT_EQ(shade(test::box(Vector3d::Zero(), Vector3d::Ones())).points.rows(), 24);
-}
-
-TEST(SurfacePicker, FindsTheFaceInFront) {
-    const auto box = std::make_shared<const IndexedMesh>(test::box(Vector3d::Zero(), Vector3d::Ones()));
-    const SurfacePicker picker(box);
-    const auto hit = picker.pick({Vector3d(0.3, 0.4, 5), -Vector3d::UnitZ()});
-    ASSERT_TRUE(hit);
-    EXPECT_NEAR((hit->point - Vector3d(0.3, 0.4, 1)).norm(), 0, 1e-9);
-    EXPECT_FALSE(picker.pick({Vector3d(2, 2, 5), -Vector3d::UnitZ()}));
 }
 
 TEST(DraftClasses, TurnFromWarmToBlueAtTheRequiredDraft) {

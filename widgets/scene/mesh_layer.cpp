@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "scene/mesh_layer.h"
 
+#include "scene/cut_layer.h"
+
 #include <vtkCellData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
@@ -129,6 +131,11 @@ void MeshLayer::setPose(const Eigen::Isometry3d& pose) {
     applyLook();
 }
 
+void MeshLayer::setCut(const std::optional<PartingPlane>& cut) {
+    m_cut = cut;
+    applyLook();
+}
+
 void MeshLayer::applyLook() {
     const vtkNew<vtkMatrix4x4> pose;
     for (int row = 0; row < 4; ++row)
@@ -142,6 +149,7 @@ void MeshLayer::applyLook() {
             look->SetBackfaceCulling(m_opacity == 1);
             look->SetEdgeVisibility(m_edges);
             piece->actor->SetUserMatrix(pose);
+            cutMapper(piece->mapper, m_cut);
         }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/mold_state.h"
 #include "scene/colours.h"
 #include "scene/drawn_mesh.h"
 
@@ -38,6 +39,9 @@ public:
     void setOpacity(double opacity);
     void setEdges(bool shown);
     void setPose(const Eigen::Isometry3d& pose);
+    [[nodiscard]] const Eigen::Isometry3d& pose() const { return m_pose; }
+    /// Hides what lies before the plane (n·x > o), in the scene's frame; nothing: shows all.
+    void setCut(const std::optional<PartingPlane>& cut);
 
     /// Draws the stand-in, where there is one; a mesh without blocks is always drawn by it.
     void useStandIn(bool use);
@@ -75,6 +79,7 @@ private:
     double m_opacity = 1;
     bool m_edges = false;
     Eigen::Isometry3d m_pose = Eigen::Isometry3d::Identity();
+    std::optional<PartingPlane> m_cut;
 };
 
 } // namespace moldwright::scene

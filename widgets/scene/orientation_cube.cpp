@@ -99,6 +99,14 @@ const std::array<Eigen::Vector3d, 6>& cubeFaces() {
     return faces;
 }
 
+int faceSeen(const Camera& camera) {
+    constexpr double straight = 1 - 1e-6;
+    for (int face = 0; face < 6; ++face)
+        if (camera.backwards().dot(cubeFaces()[face]) > straight)
+            return face;
+    return -1;
+}
+
 std::optional<Eigen::Vector3d> cubeView(const Camera& camera, double x, double y) {
     const Eigen::Vector3d origin = x * camera.right() + y * camera.up() + 10 * camera.backwards();
     const Eigen::Vector3d way = -camera.backwards();

@@ -24,6 +24,9 @@ using CubeWords = std::array<std::string, 6>;
 /// Where the cube's faces look, in the order of CubeWords: front is seen looking along +y.
 [[nodiscard]] const std::array<Eigen::Vector3d, 6>& cubeFaces();
 
+/// Which of cubeFaces() the camera looks straight at; −1 for none.
+[[nodiscard]] int faceSeen(const Camera& camera);
+
 /// The view that a click on the cube asks for: from a face, an edge or a corner. (x, y) in half edges of the
 /// cube from its centre on the screen, y upwards. None beside the cube.
 [[nodiscard]] std::optional<Eigen::Vector3d> cubeView(const Camera& camera, double x, double y);

@@ -131,9 +131,13 @@ void Overlay::arrange(const Camera& camera, ViewSize view) {
         spot.bottom = std::clamp(spot.bottom, gap, std::max(gap, view.height - panel.height() - gap));
         if (spot.overlaps(cube))
             spot.left = cube.left - panel.width() - 4 * m_scale;
-        for (const Spot& other : taken)
-            if (spot.overlaps(other))
-                spot.bottom = other.bottom + other.height + 4 * m_scale;
+        for (const Spot& other : taken) {
+            if (!spot.overlaps(other))
+                continue;
+            spot.bottom = other.bottom + other.height + 4 * m_scale;
+            if (spot.bottom + spot.height > view.height)
+                spot.bottom = other.bottom - spot.height - 4 * m_scale;
+        }
         taken.push_back(spot);
         panel.moveTo(spot.left, spot.bottom);
         m_marks[i]->moveTo(pixel.x(), view.height - pixel.y());

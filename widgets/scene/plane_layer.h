@@ -3,6 +3,7 @@
 
 #include "mesh/indexed_mesh.h"
 #include "scene/colours.h"
+#include "scene/cut_layer.h"
 #include "scene/plane_handle.h"
 
 #include <vtkActor.h>
@@ -20,6 +21,8 @@ public:
     void setPlane(const PlaneRectangle& rectangle);
     void setPartingLine(const IndexedMesh& mesh, const PartingPlane& plane);
     void clearPartingLine();
+    /// Cuts the parting line as the surface is cut.
+    void setCut(const std::optional<PartingPlane>& cut) { cutMapper(m_lineMapper, cut); }
     void setColours(const SceneColours& colours, double scale);
 
     [[nodiscard]] vtkActor* sheet() const { return m_sheetActor; }

@@ -19,6 +19,12 @@ constexpr double arrowShare = 0.17; ///< of the part's diagonal
 constexpr double arrowGap = 0.03;
 constexpr double openShare = 0.5; ///< of the part's diagonal, each half
 
+/// The colour of a solid where it is cut open.
+Rgb darker(Rgb colour) {
+    const auto channel = [](std::uint8_t value) { return static_cast<std::uint8_t>(value * 4 / 5); };
+    return {channel(colour.r), channel(colour.g), channel(colour.b)};
+}
+
 /// Three lights that turn with the camera: a soft key from above left, fill from the right, a little rim.
 void addLights(vtkRenderer* renderer) {
     struct Lamp {
@@ -39,7 +45,9 @@ void addLights(vtkRenderer* renderer) {
 
 } // namespace
 
-Scene::Scene() : m_surface(m_back), m_half1(m_back), m_half2(m_back) {
+Scene::Scene()
+    : m_surface(m_back), m_half1(m_back), m_half2(m_back),
+      m_sections{CutLayer(m_front), CutLayer(m_front), CutLayer(m_front)} {
     m_back->SetLayer(0);
     m_back->GradientBackgroundOn();
     m_front->SetLayer(1);
@@ -49,6 +57,7 @@ Scene::Scene() : m_surface(m_back), m_half1(m_back), m_half2(m_back) {
     for (vtkActor* actor :
          {m_plane.sheet(), m_plane.outline(), m_plane.partingLine(), m_arrow1.actor(), m_arrow2.actor()})
         m_front->AddActor(actor);
+    m_front->AddViewProp(m_path.actor());
     m_overlay.addTo(m_front);
     addLights(m_back);
     addLights(m_front);
@@ -73,8 +82,12 @@ void Scene::setLook(const SceneColours& colours, double scale) {
     m_back->SetBackground(colours.viewBottom.unit().data());
     m_back->SetBackground2(colours.viewTop.unit().data());
     m_plane.setColours(colours, scale);
+    const std::array<Rgb, 3> solids = {colours.part, colours.half1, colours.half2};
+    for (std::size_t i = 0; i < solids.size(); ++i)
+        m_sections[i].setLook(darker(solids[i]), colours.partingLine, 1.4 * scale);
     m_arrow1.setColour(colours.side1);
     m_arrow2.setColour(colours.side2);
+    m_path.setLook(colours.accent, 1.8 * scale);
     m_cube.setLook(colours, m_words, scale);
     m_overlay.setColours(colours, scale);
 }
@@ -96,6 +109,7 @@ void Scene::setSurface(const SharedDrawnMesh& mesh, std::span<const Rgb> faceCol
     m_surface.setMesh(mesh, m_colours.part);
     m_surface.setFaceColours(faceColours);
     placePlane();
+    placeSections();
     updateVisibility();
 }
 
@@ -181,6 +195,7 @@ void Scene::updateVisibility() {
     const bool plane = m_state && m_planeVisible && m_surface.mesh();
     const bool arrows = m_state && m_directionsVisible && m_surface.mesh();
     m_surface.setVisible(m_surfaceVisible);
+    m_sections[0].setVisible(m_surfaceVisible);
     m_plane.sheet()->SetVisibility(plane);
     m_plane.outline()->SetVisibility(plane);
     m_plane.partingLine()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);
@@ -224,12 +239,32 @@ void Scene::setHalves(const SharedDrawnMesh& half1, const SharedDrawnMesh& half2
         m_half2.set(half2, moldToPart, directions.d2, m_colours.half2);
     else
         m_half2.clear();
+    placeSections();
 }
 
 void Scene::setOpening(double opening) {
     const double size = m_surface.mesh() ? m_surface.mesh()->box.sizes().norm() : 1;
     m_half1.open(opening * openShare * size);
     m_half2.open(opening * openShare * size);
+    placeSections();
+}
+
+void Scene::setCut(const std::optional<PartingPlane>& cut) {
+    if (cut == m_cut)
+        return;
+    m_cut = cut;
+    for (MeshLayer* layer : surfaces())
+        layer->setCut(cut);
+    m_plane.setCut(cut);
+    placeSections();
+}
+
+void Scene::placeSections() {
+    const auto layers = surfaces();
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const SharedDrawnMesh& solid = layers[i]->mesh();
+        m_sections[i].set(solid ? solid->mesh : nullptr, layers[i]->pose(), m_cut);
+    }
 }
 
 std::vector<Eigen::Vector3d> Scene::outline() const {

@@ -5,12 +5,14 @@
 #include "scene/arrow_layer.h"
 #include "scene/camera.h"
 #include "scene/colours.h"
+#include "scene/cut_layer.h"
 #include "scene/drawn_mesh.h"
 #include "scene/grips.h"
 #include "scene/half_layer.h"
 #include "scene/mesh_layer.h"
 #include "scene/orientation_cube.h"
 #include "scene/overlay.h"
+#include "scene/path_layer.h"
 #include "scene/plane_handle.h"
 #include "scene/plane_layer.h"
 
@@ -67,11 +69,22 @@ public:
     /// The mold's halves in the mold's frame; null meshes for none.
     void setHalves(const SharedDrawnMesh& half1, const SharedDrawnMesh& half2,
                    const Eigen::Isometry3d& moldToPart, const Directions& directions);
+    /// Half 1 or 2 as it was set.
+    [[nodiscard]] const SharedDrawnMesh& half(int side) const {
+        return (side == 1 ? m_half1 : m_half2).layer().mesh();
+    }
     /// 0 closed … 1 open wide.
     void setOpening(double opening);
 
+    /// Cuts away what lies before the plane (n·x > o) of all surfaces, and fills the sections; nothing: shows
+    /// all.
+    void setCut(const std::optional<PartingPlane>& cut);
+    [[nodiscard]] const std::optional<PartingPlane>& cut() const { return m_cut; }
+
     void setLegend(const PanelContent& content) { m_overlay.setLegend(content); }
     void setStateChip(const PanelContent& content) { m_overlay.setState(content); }
+    /// Lines from place to place, as measured.
+    void setPath(const std::vector<Eigen::Vector3d>& places) { m_path.set(places); }
     void setChips(const std::vector<Chip>& chips) { m_overlay.setChips(chips); }
     [[nodiscard]] const Overlay& overlay() const { return m_overlay; }
 
@@ -103,6 +116,7 @@ private:
     void placePlane();
     void placePartingLine();
     void placeArrows();
+    void placeSections();
     void updateVisibility();
     void showGrips();
 
@@ -114,6 +128,8 @@ private:
     MeshLayer m_surface;
     HalfLayer m_half1;
     HalfLayer m_half2;
+    std::array<CutLayer, 3> m_sections; ///< of surface, half 1, half 2
+    std::optional<PartingPlane> m_cut;
     bool m_standInsUsed = false;
     bool m_seeThrough = false;
     PlaneLayer m_plane;
@@ -121,6 +137,7 @@ private:
     ArrowLayer m_arrow1;
     ArrowLayer m_arrow2;
     std::array<Eigen::Vector3d, 2> m_arrowTips{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    PathLayer m_path;
     OrientationCube m_cube;
     Overlay m_overlay;
     std::optional<MoldState> m_state;

@@ -10,11 +10,15 @@
 #include <vtkPolyData.h>
 #include <vtkStaticCellLocator.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace moldwright::scene {
 
 struct SurfacePicker::Locator {
     vtkNew<vtkPolyData> surface;
     vtkNew<vtkStaticCellLocator> cells;
+    Eigen::AlignedBox3d box;
     double reach = 0; ///< far enough to pass the whole surface, mm
 };
 
@@ -32,19 +36,23 @@ SurfacePicker::SurfacePicker(SharedMesh mesh)
     m_locator->surface->SetPolys(faces);
     m_locator->cells->SetDataSet(m_locator->surface);
     m_locator->cells->BuildLocator();
+    m_locator->box = boundingBox(*m_mesh);
     m_locator->reach = diagonal(*m_mesh);
 }
 
 SurfacePicker::~SurfacePicker() = default;
 
-std::optional<SurfacePicker::Hit> SurfacePicker::pick(const Ray& ray) const {
-    const Eigen::AlignedBox3d box = boundingBox(*m_mesh);
-    if (box.isEmpty())
+std::optional<SurfacePicker::Hit> SurfacePicker::firstFrom(const Ray& ray, double start) const {
+    if (m_locator->box.isEmpty())
         return std::nullopt;
     // The locator's search is exact to a share of the segment's length: keep the segment about the part.
-    const double middle = (box.center() - ray.origin).dot(ray.direction);
-    const Eigen::Vector3d from = ray.origin + (middle - m_locator->reach) * ray.direction;
-    const Eigen::Vector3d to = ray.origin + (middle + m_locator->reach) * ray.direction;
+    const double middle = (m_locator->box.center() - ray.origin).dot(ray.direction);
+    const double end = middle + m_locator->reach;
+    start = std::max(start, middle - m_locator->reach);
+    if (start >= end)
+        return std::nullopt;
+    const Eigen::Vector3d from = ray.origin + start * ray.direction;
+    const Eigen::Vector3d to = ray.origin + end * ray.direction;
     double t = 0;
     Hit hit;
     double parameters[3];
@@ -55,6 +63,32 @@ std::optional<SurfacePicker::Hit> SurfacePicker::pick(const Ray& ray) const {
         return std::nullopt;
     hit.face = static_cast<int>(face);
     return hit;
+}
+
+std::optional<SurfacePicker::Hit> SurfacePicker::pick(const Ray& ray,
+                                                      const std::optional<PartingPlane>& cut) const {
+    constexpr double fromAfar = -std::numeric_limits<double>::infinity();
+    if (!cut)
+        return firstFrom(ray, fromAfar);
+    const double fall = -cut->normal.dot(ray.direction);
+    if (fall <= 0) { // seen from behind
+        const std::optional<Hit> hit = firstFrom(ray, fromAfar);
+        return hit && cut->distance(hit->point) <= 0 ? hit : std::nullopt;
+    }
+    const double start = cut->distance(ray.origin) / fall;
+    const std::optional<Hit> hit = firstFrom(ray, start);
+    // From within the solid its surface is met from inside first: what the eye meets is the section.
+    if (hit && doubleAreaVector(*m_mesh, hit->face).dot(ray.direction) > 0)
+        return Hit{-1, ray.origin + start * ray.direction};
+    return hit;
+}
+
+std::optional<double> SurfacePicker::thickness(const Hit& hit) const {
+    const Eigen::Vector3d inwards = -doubleAreaVector(*m_mesh, hit.face).normalized();
+    const std::optional<Hit> across = firstFrom({hit.point, inwards}, 1e-6 * m_locator->reach);
+    if (!across)
+        return std::nullopt;
+    return (across->point - hit.point).norm();
 }
 
 } // namespace moldwright::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/mold_state.h"
 #include "mesh/indexed_mesh.h"
 #include "scene/camera.h"
 
@@ -13,7 +14,7 @@ namespace moldwright::scene {
 class SurfacePicker {
 public:
     struct Hit {
-        int face = -1;
+        int face = -1; ///< −1: of a section
         Eigen::Vector3d point;
     };
 
@@ -22,12 +23,21 @@ public:
     SurfacePicker(const SurfacePicker&) = delete;
     SurfacePicker& operator=(const SurfacePicker&) = delete;
 
-    /// The first face along the ray, if any.
-    [[nodiscard]] std::optional<Hit> pick(const Ray& ray) const;
+    /// The first face along the ray's whole line, if any. With a cut, everything before that plane (n·x > o)
+    /// is away, and a section that is met counts as a hit without a face.
+    [[nodiscard]] std::optional<Hit> pick(const Ray& ray,
+                                          const std::optional<PartingPlane>& cut = std::nullopt) const;
+
+    /// How thick the solid is below a hit on a face, square to the face, mm.
+    [[nodiscard]] std::optional<double> thickness(const Hit& hit) const;
+
     [[nodiscard]] const SharedMesh& mesh() const { return m_mesh; }
 
 private:
     struct Locator;
+    /// The first face at or beyond `start` mm along the ray.
+    [[nodiscard]] std::optional<Hit> firstFrom(const Ray& ray, double start) const;
+
     SharedMesh m_mesh;
     std::unique_ptr<Locator> m_locator;
 };

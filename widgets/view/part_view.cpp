@@ -46,11 +46,8 @@ PartView::PartView(QWidget* parent) : RenderView(parent), m_navigation(&scene::n
     m_settle.setSingleShot(true);
     m_settle.setInterval(settleMilliseconds);
     connect(&m_settle, &QTimer::timeout, this, &PartView::settled);
-    connect(&m_ease, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
-        moving();
-        m_camera = scene::between(m_easeFrom, m_easeTo, t.toDouble());
-        redraw();
-    });
+    connect(&m_ease, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& t) { stepCamera(scene::between(m_easeFrom, m_easeTo, t.toDouble())); });
 }
 
 PartView::~PartView() = default;
@@ -103,9 +100,22 @@ void PartView::settled() {
     redraw();
 }
 
+void PartView::stepCamera(const scene::Camera& camera) {
+    moving();
+    m_camera = camera;
+    redraw();
+    Q_EMIT cameraMoved();
+}
+
 void PartView::setCamera(const scene::Camera& camera) {
     m_ease.stop();
-    moving();
+    stepCamera(camera);
+}
+
+void PartView::standAt(const scene::Camera& camera) {
+    m_ease.stop();
+    m_settle.stop();
+    m_isMoving = false;
     m_camera = camera;
     redraw();
 }
@@ -142,8 +152,11 @@ void PartView::lookFrom(const Eigen::Vector3d& direction) {
     easeTo(scene::fitted(scene::lookingFrom(m_camera, direction), m_scene.outline(), viewSize()));
 }
 
-void PartView::lookHome() {
-    lookFrom(homeDirection);
+void PartView::lookHome(bool atOnce) {
+    if (atOnce)
+        setCamera(scene::lookingFrom(m_camera, homeDirection));
+    else
+        lookFrom(homeDirection);
 }
 
 void PartView::lookFromOpposite() {
@@ -156,22 +169,26 @@ void PartView::setEditable(bool editable) {
     redraw();
 }
 
-void PartView::setPickingFaces(bool picking) {
-    m_pickingFaces = picking;
+void PartView::setPicking(Picking picking) {
+    m_picking = picking;
     updatePointer();
 }
 
 void PartView::updatePointer() {
-    setCursor(m_pickingFaces            ? Qt::CrossCursor
-              : m_drag                  ? Qt::ClosedHandCursor
-              : m_hovered && m_editable ? Qt::OpenHandCursor
-                                        : Qt::ArrowCursor);
+    setCursor(m_picking != Picking::Nothing ? Qt::CrossCursor
+              : m_drag                      ? Qt::ClosedHandCursor
+              : m_hovered && m_editable     ? Qt::OpenHandCursor
+                                            : Qt::ArrowCursor);
+}
+
+std::optional<scene::SurfacePicker::Hit> PartView::hitAt(const Eigen::Vector2d& at) const {
+    return m_picker ? m_picker->pick(m_camera.rayAt(at.x(), at.y(), viewSize()), m_scene.cut())
+                    : std::nullopt;
 }
 
 Eigen::Vector3d PartView::pivotAt(const Eigen::Vector2d& at) const {
-    if (m_picker)
-        if (const auto hit = m_picker->pick(m_camera.rayAt(at.x(), at.y(), viewSize())))
-            return hit->point;
+    if (const auto hit = hitAt(at))
+        return hit->point;
     return m_scene.surface() ? m_scene.middle() : m_camera.focus;
 }
 
@@ -213,7 +230,7 @@ void PartView::leftPressed(const Eigen::Vector2d& at) {
         lookFrom(*direction);
         return;
     }
-    if (const auto grip = gripUnder(at)) {
+    if (const auto grip = gripUnder(at); grip && m_picking == Picking::Nothing) {
         takeHold(*grip, at);
         updatePointer();
     }
@@ -253,6 +270,8 @@ void PartView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PartView::hover(const Eigen::Vector2d& at) {
+    if (m_picking == Picking::Place)
+        Q_EMIT pointHovered(hitAt(at));
     const auto grip = gripUnder(at);
     if (grip == m_hovered)
         return;
@@ -297,18 +316,27 @@ void PartView::mouseReleaseEvent(QMouseEvent* event) {
         updatePointer();
         if (m_dragged)
             Q_EMIT dragCommitted(state, *m_hovered);
-    } else if (event->button() == Qt::LeftButton && !m_dragged && m_pickingFaces && m_picker) {
-        if (const auto hit = m_picker->pick(m_camera.rayAt(at.x(), at.y(), viewSize())))
-            Q_EMIT faceClicked(hit->face);
     } else if (event->button() == Qt::LeftButton && !m_dragged) {
-        const int chip =
-            m_scene.overlay().markAt(m_camera, viewSize(), at.x(), at.y(), gripReach * devicePixelRatioF());
-        if (chip >= 0)
-            Q_EMIT markClicked(chip);
+        clicked(at);
     } else if (event->button() == Qt::RightButton && !m_dragged) {
         Q_EMIT menuRequested(event->globalPosition().toPoint());
     }
     event->accept();
+}
+
+void PartView::clicked(const Eigen::Vector2d& at) {
+    if (m_picking == Picking::Nothing) {
+        const int chip =
+            m_scene.overlay().markAt(m_camera, viewSize(), at.x(), at.y(), gripReach * devicePixelRatioF());
+        if (chip >= 0)
+            Q_EMIT markClicked(chip);
+        return;
+    }
+    const auto hit = hitAt(at);
+    if (hit && m_picking == Picking::Place)
+        Q_EMIT pointClicked(*hit);
+    else if (hit && hit->face >= 0)
+        Q_EMIT faceClicked(hit->face);
 }
 
 bool PartView::cancelDrag() {

@@ -41,17 +41,22 @@ public:
     /// How far a direction may be dragged from the plane's normal.
     void setTiltLimit(double degrees) { m_maxTiltDegrees = degrees; }
 
-    /// While on, a click on the surface is told by faceClicked(), under a crossing pointer.
-    void setPickingFaces(bool picking);
-    [[nodiscard]] bool pickingFaces() const { return m_pickingFaces; }
+    /// What a click on the surface means, under a crossing pointer: faceClicked() or pointClicked().
+    enum class Picking { Nothing, Face, Place };
+    void setPicking(Picking picking);
+    [[nodiscard]] Picking picking() const { return m_picking; }
 
     [[nodiscard]] const scene::Camera& camera() const { return m_camera; }
     void setPerspective(bool perspective);
+    /// Looks from there without moving there: the next picture is as fine as can be. Nobody is told.
+    void standAt(const scene::Camera& camera);
+    /// Looks from there at once, as another view does.
+    void followCamera(const scene::Camera& camera) { setCamera(camera); }
 
     /// The camera eases to where all is in sight.
     void fitAll(bool atOnce = false);
     void lookFrom(const Eigen::Vector3d& direction);
-    void lookHome();
+    void lookHome(bool atOnce = false);
     /// To the other side of what is in view.
     void lookFromOpposite();
     void frame(const Eigen::AlignedBox3d& box);
@@ -70,9 +75,15 @@ Q_SIGNALS:
     void dragCommitted(const moldwright::MoldState& state, moldwright::scene::Grip grip);
     void dragCancelled();
     void faceClicked(int face);
+    /// A place on the surface, or on the section that cuts it open, was clicked; the pointer is over it, or
+    /// over none.
+    void pointClicked(const moldwright::scene::SurfacePicker::Hit& hit);
+    void pointHovered(const std::optional<moldwright::scene::SurfacePicker::Hit>& hit);
     /// The mark of a chip was clicked.
     void markClicked(int chip);
     void menuRequested(const QPoint& globalPlace);
+    /// It looks from elsewhere.
+    void cameraMoved();
 
 protected:
     void prepare(int width, int height, bool quick) override;
@@ -89,9 +100,11 @@ protected:
 private:
     [[nodiscard]] scene::ViewSize viewSize() const;
     [[nodiscard]] Eigen::Vector2d pixel(const QPointF& place) const;
+    [[nodiscard]] std::optional<scene::SurfacePicker::Hit> hitAt(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] Eigen::Vector3d pivotAt(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] std::optional<scene::Grip> gripUnder(const Eigen::Vector2d& pixel) const;
     void leftPressed(const Eigen::Vector2d& at);
+    void clicked(const Eigen::Vector2d& at);
     void moveCamera(scene::Motion motion, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
     void takeHold(scene::Grip grip, const Eigen::Vector2d& at);
     [[nodiscard]] MoldState dragged(const Eigen::Vector2d& to, bool coarse) const;
@@ -101,6 +114,7 @@ private:
     void settled();
     [[nodiscard]] bool tooSlow() const;
     void setCamera(const scene::Camera& camera);
+    void stepCamera(const scene::Camera& camera);
     void updatePointer();
 
     scene::Scene m_scene;
@@ -118,7 +132,7 @@ private:
     scene::Camera m_easeTo;
     bool m_editable = false;
     double m_maxTiltDegrees = 30;
-    bool m_pickingFaces = false;
+    Picking m_picking = Picking::Nothing;
     std::optional<std::variant<scene::PlaneDrag, scene::DirectionDrag>> m_drag;
     std::optional<scene::Grip> m_hovered; ///< the grip under the pointer, or held
     Eigen::Vector2d m_pressed = Eigen::Vector2d::Zero();

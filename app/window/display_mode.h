@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/mold_state.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+
+namespace moldwright {
+
+/// What the faces are painted by: red undercuts, classes of draft, or a map of numbers.
+enum class DisplayMode { Undercuts, DraftMap, UndercutDepth, Deviation, Strain, Plain };
+inline constexpr int displayModeCount = 6;
+
+/// What a view shows of the part: the newest shape (a run's, the cast, or the part while there is no other),
+/// or the part as it was opened.
+enum class ViewContent { Newest, Part };
+
+/// Where a view is cut open.
+struct SectionCut {
+    enum class Across { Plane, X, Y, Z };
+    Across across = Across::Plane;
+    double offset = 0; ///< mm, from the parting plane along its normal, or the coordinate
+    /// What is beyond the section along that normal or axis stays, not what is before it. None: not decided
+    /// yet; the side that the section hides from the eye is to stay.
+    std::optional<bool> flipped = {};
+
+    bool operator==(const SectionCut&) const = default;
+};
+
+/// The plane of a cut; what lies before it (n·x > o) goes. None where there is no parting plane to cut at.
+[[nodiscard]] std::optional<PartingPlane> planeOf(const SectionCut& cut,
+                                                  const std::optional<MoldState>& state);
+
+/// How one view shows it.
+struct ViewSettings {
+    ViewContent content = ViewContent::Newest;
+    DisplayMode mode = DisplayMode::Undercuts;
+    bool edges = false;
+    bool seeThrough = false;
+    std::optional<SectionCut> cut = {}; ///< none: whole; not kept between sessions
+
+    bool operator==(const ViewSettings&) const = default;
+};
+
+/// All modes in their order, as a list to choose from shows them.
+[[nodiscard]] QStringList displayModeNames();
+
+/// The command that chooses a mode in the active view, by its id; also its name in what is kept.
+[[nodiscard]] QString displayModeCommand(DisplayMode mode);
+
+} // namespace moldwright

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What the views show, and what happens in them.
+#include "window/main_window.h"
+
+#include "project/edits.h"
+#include "view/part_view.h"
+#include "window/face_paint.h"
+#include "window/measure_tool.h"
+#include "window/obstruction_words.h"
+#include "window/preferences.h"
+#include "window/view_area.h"
+#include "window/view_bar.h"
+#include "window/view_pane.h"
+#include "window/workbench.h"
+
+#include <QMenu>
+
+#include <algorithm>
+#include <iterator>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr std::array layouts = {ViewLayout::One, ViewLayout::Two, ViewLayout::Four};
+
+QString layoutCommand(ViewLayout layout) {
+    return layout == ViewLayout::One   ? u"one-view"_s
+           : layout == ViewLayout::Two ? u"two-views"_s
+                                       : u"four-views"_s;
+}
+
+/// A direction turned by hand is meant: the run shall take it as it is.
+Project draggedTo(const Project& project, const MoldState& state, scene::Grip grip) {
+    const bool direction = grip == scene::Grip::Direction1 || grip == scene::Grip::Direction2;
+    return direction ? withDirections(project, state.directions) : withState(project, state, true);
+}
+
+} // namespace
+
+void MainWindow::buildViews(QWidget* parent) {
+    m_views = new ViewArea(parent);
+    m_measure = new MeasureTool(m_bench, this);
+    connect(m_measure, &MeasureTool::changed, this, &MainWindow::refreshSoon);
+    connect(m_views, &ViewArea::paneMade, this, &MainWindow::connectPane);
+    connect(m_views, &ViewArea::activeChanged, this, [this] {
+        m_view = &m_views->active().view();
+        refreshSoon();
+    });
+    connect(m_views, &ViewArea::settingsChanged, this, [this] {
+        m_bench.keepPartReady(m_views->showsPart());
+        refreshSoon();
+    });
+    connect(m_views, &ViewArea::layoutChanged, this, [this] {
+        m_fitWhenDrawn = std::max(m_fitWhenDrawn, Fit::AsTheyLook);
+        refreshSoon();
+    });
+    m_views->restore(preferences::layout(u"views"_s));
+    connect(m_viewBar, &ViewBar::modeChosen, this, &MainWindow::setMode);
+    connect(m_viewBar, &ViewBar::openingChanged, this, [this](double opening) {
+        for (const ViewPane* pane : m_views->shown()) {
+            pane->view().scene().setOpening(opening);
+            pane->view().fitAll();
+        }
+    });
+}
+
+void MainWindow::connectPane(ViewPane& pane) {
+    m_measure->serve(pane);
+    PartView* view = &pane.view();
+    usePicking();
+    view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
+    view->scene().setLook(theme().scene, view->devicePixelRatioF());
+    connect(view, &PartView::dragPreviewed, this, [this](const MoldState& state, scene::Grip grip) {
+        m_bench.document().preview(draggedTo(m_bench.document().committed(), state, grip));
+    });
+    connect(view, &PartView::dragCommitted, this, [this](const MoldState& state, scene::Grip grip) {
+        const QString words = grip == scene::Grip::Direction1   ? tr("Turn direction 1")
+                              : grip == scene::Grip::Direction2 ? tr("Turn direction 2")
+                                                                : tr("Move the plane");
+        m_bench.document().edit(words, draggedTo(m_bench.document().committed(), state, grip));
+    });
+    connect(view, &PartView::dragCancelled, this, [this] { m_bench.document().endPreview(); });
+    connect(view, &PartView::faceClicked, this, [this](int face) {
+        m_bench.layFlatOn(face);
+        escape();
+    });
+    connect(view, &PartView::markClicked, this, [this](int chip) {
+        if (chip < static_cast<int>(m_bench.obstructions().size()))
+            select(obstructionId(chip));
+    });
+    connect(view, &PartView::menuRequested, this, &MainWindow::showViewMenu);
+}
+
+void MainWindow::showViewMenu(const QPoint& place) {
+    QMenu menu;
+    for (const QString& id : {u"fit"_s, u"home"_s, u"along-normal"_s, u"show-plane"_s, u"show-directions"_s,
+                              u"see-through"_s, u"lay-flat"_s, u"run"_s})
+        menu.addAction(m_actions[id]);
+    menu.exec(place);
+}
+
+void MainWindow::connectViewActions() {
+    m_actions.on(u"fit"_s, [this] { m_view->fitAll(); });
+    m_actions.on(u"home"_s, [this] { m_view->lookHome(); });
+    m_actions.on(u"front"_s, [this] { m_view->lookFrom(-Eigen::Vector3d::UnitY()); });
+    m_actions.on(u"right"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitX()); });
+    m_actions.on(u"top"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitZ()); });
+    m_actions.on(u"opposite"_s, [this] { m_view->lookFromOpposite(); });
+    m_actions.on(u"along-normal"_s, [this] { m_view->lookFrom(m_bench.project().state->plane.normal); });
+    m_actions.on(u"perspective"_s,
+                 [this] { m_view->setPerspective(m_actions[u"perspective"_s]->isChecked()); });
+    for (const ViewLayout layout : layouts)
+        m_actions.on(layoutCommand(layout), [this, layout] {
+            m_views->setViewLayout(layout);
+            refreshSoon();
+        });
+    m_actions.on(u"measure"_s, [this] {
+        m_actions[u"lay-flat"_s]->setChecked(false);
+        m_measure->setActive(m_actions[u"measure"_s]->isChecked());
+        usePicking();
+        m_view->setFocus();
+    });
+    m_actions.on(u"section"_s, [this] {
+        ViewSettings settings = m_views->active().settings();
+        settings.cut = m_actions[u"section"_s]->isChecked() ? std::optional(SectionCut()) : std::nullopt;
+        m_views->setActiveSettings(settings);
+    });
+    m_actions.on(u"link-views"_s, [this] { m_views->setLinked(m_actions[u"link-views"_s]->isChecked()); });
+    for (int mode = 0; mode < displayModeCount; ++mode)
+        m_actions.on(displayModeCommand(static_cast<DisplayMode>(mode)),
+                     [this, mode] { setMode(static_cast<DisplayMode>(mode)); });
+    connectVisibility();
+    m_actions.on(u"screenshot"_s, [this] { saveScreenshot(); });
+    m_actions.on(u"turntable"_s, [this] { saveTurntable(); });
+}
+
+void MainWindow::connectVisibility() {
+    m_actions.on(u"show-plane"_s, [this] {
+        m_visible.plane = m_actions[u"show-plane"_s]->isChecked();
+        refreshSoon();
+    });
+    m_actions.on(u"show-directions"_s, [this] {
+        m_visible.directions = m_actions[u"show-directions"_s]->isChecked();
+        refreshSoon();
+    });
+    const auto toggle = [this](const QString& id, bool ViewSettings::* look) {
+        m_actions.on(id, [this, id, look] {
+            ViewSettings settings = m_views->active().settings();
+            settings.*look = m_actions[id]->isChecked();
+            m_views->setActiveSettings(settings);
+        });
+    };
+    toggle(u"show-edges"_s, &ViewSettings::edges);
+    toggle(u"see-through"_s, &ViewSettings::seeThrough);
+}
+
+void MainWindow::setMode(DisplayMode mode) {
+    ViewSettings settings = m_views->active().settings();
+    settings.mode = mode;
+    m_views->setActiveSettings(settings);
+}
+
+void MainWindow::refreshViewActions() {
+    const ViewSettings& settings = m_views->active().settings();
+    m_viewBar->setMode(settings.mode);
+    for (int mode = 0; mode < displayModeCount; ++mode)
+        m_actions[displayModeCommand(static_cast<DisplayMode>(mode))]->setChecked(
+            settings.mode == static_cast<DisplayMode>(mode));
+    m_actions[u"section"_s]->setChecked(settings.cut.has_value());
+    m_actions[u"show-edges"_s]->setChecked(settings.edges);
+    m_actions[u"see-through"_s]->setChecked(settings.seeThrough);
+    m_actions[u"perspective"_s]->setChecked(m_view->camera().perspective);
+    m_actions[u"show-plane"_s]->setChecked(m_visible.plane);
+    m_actions[u"show-directions"_s]->setChecked(m_visible.directions);
+    for (const ViewLayout layout : layouts)
+        m_actions[layoutCommand(layout)]->setChecked(layout == m_views->viewLayout());
+    QAction* link = m_actions[u"link-views"_s];
+    link->setChecked(m_views->linked());
+    link->setEnabled(link->isEnabled() && m_views->viewLayout() != ViewLayout::One);
+}
+
+void MainWindow::refreshViews() {
+    m_viewBar->setMoldShown(moldShown());
+    for (ViewPane* pane : m_views->shown())
+        refreshView(*pane);
+    const bool allDrawn = std::ranges::all_of(
+        m_views->shown(), [](const ViewPane* pane) { return pane->view().scene().surface() != nullptr; });
+    if (!allDrawn)
+        return;
+    const Fit fit = std::exchange(m_fitWhenDrawn, Fit::Not);
+    if (fit == Fit::FromHome)
+        m_views->lookAtAll();
+    else if (fit == Fit::AsTheyLook)
+        m_views->fitAll();
+}
+
+void MainWindow::refreshView(ViewPane& pane) {
+    const ViewSettings& settings = pane.settings();
+    PartView& view = pane.view();
+    scene::Scene& scene = view.scene();
+    const bool inMold = moldShown() && settings.content == ViewContent::Newest;
+    view.setEditable(!inMold && !m_bench.background().busy());
+    const ShownSurface surface = m_bench.surface(settings.content);
+    if (m_bench.shownMesh() && !surface.drawn)
+        return; // the last picture stays until the next one can be drawn
+    scene.setState(surface.drawn ? m_bench.shownState() : std::nullopt);
+    const FaceMap* map = m_bench.map(settings.content, settings.mode);
+    showSurface(view, surface, settings.mode, map);
+    if (surface.picker)
+        view.setPicker(surface.picker);
+    showMold(scene, inMold);
+    scene.setEdges(settings.edges);
+    scene.setSeeThrough(settings.seeThrough);
+    scene.setSurfaceVisible(m_visible.shape);
+    scene.setPlaneVisible(m_visible.plane && !inMold);
+    scene.setDirectionsVisible(m_visible.directions && !inMold);
+    showCut(pane);
+    view.setTiltLimit(m_bench.project().design.maxTiltDegrees);
+    scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, surface, settings.mode, map));
+    scene.setStateChip(stateChipFor(m_bench, settings.content));
+    scene.setChips(surface.drawn && !inMold ? chipsIn(scene, map) : std::vector<scene::Chip>());
+    const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
+    scene.setPath(measured ? m_measure->measurement().path() : std::vector<Eigen::Vector3d>());
+    view.redraw();
+}
+
+void MainWindow::showSurface(PartView& view, const ShownSurface& surface, DisplayMode mode,
+                             const FaceMap* map) {
+    scene::Scene& scene = view.scene();
+    if (surface.drawn != scene.surface())
+        scene.setSurface(surface.drawn, {});
+    if (!surface.drawn)
+        return;
+    view.setCoarse(surface.coarse);
+    view.setLive(m_bench.running() && !m_bench.resting());
+    const FacePaint paint = paintFor(m_bench, surface, mode, map);
+    scene.setFaceColours(paint.faces);
+    scene.setStandInColours(paint.standIn);
+}
+
+std::vector<scene::Chip> MainWindow::chipsIn(const scene::Scene& scene, const FaceMap* map) const {
+    // Marks first: their numbers are those of the obstructions.
+    std::vector<scene::Chip> chips = marksOf(m_bench.obstructions(), obstructionNumber(m_selected));
+    if (const auto state = m_bench.shownState(); state && m_visible.directions)
+        for (const int side : {1, 2})
+            chips.push_back(
+                {scene.arrowTip(side),
+                 {{},
+                  {{std::nullopt,
+                    {{std::to_string(side), side == 1 ? scene::Ink::Side1 : scene::Ink::Side2, true},
+                     {tr("%1 to plane normal").arg(angleText(tiltDegrees(*state, side))).toStdString()}},
+                    {}}}}});
+    if (map)
+        if (const auto largest = largestOf(*map))
+            chips.push_back(*largest);
+    if (scene.surface() && m_measure->measurement().isOf(scene.surface()->mesh))
+        std::ranges::copy(m_measure->measurement().chips(scene.colours().accent), std::back_inserter(chips));
+    return chips;
+}
+
+void MainWindow::showCut(ViewPane& pane) {
+    ViewSettings settings = pane.settings();
+    auto& cut = settings.cut;
+    scene::Scene& scene = pane.view().scene();
+    if (const auto plane = cut && !cut->flipped ? planeOf(*cut, m_bench.shownState()) : std::nullopt) {
+        cut->flipped = plane->normal.dot(pane.view().camera().backwards()) < 0;
+        pane.setSettings(settings);
+    }
+    scene.setCut(cut ? planeOf(*cut, m_bench.shownState()) : std::nullopt);
+    if (!cut || !scene.surface() || !scene.cut())
+        return;
+    // Where the section lies is counted along the plane's own normal, whichever side stays.
+    const PartingPlane from = *planeOf({cut->across, 0, false}, m_bench.shownState());
+    const Eigen::VectorXd along = (scene.surface()->bounds() * from.normal).array() - from.offset;
+    pane.setCutRange(along.minCoeff(), along.maxCoeff());
+}
+
+bool MainWindow::moldShown() const {
+    return m_bench.moldIsCurrent() && m_visible.mold &&
+           (m_selected == u"mold"_s || m_selected.startsWith(u"half"_s));
+}
+
+void MainWindow::showMold(scene::Scene& scene, bool shown) {
+    const scene::SharedDrawnMesh none;
+    const scene::SharedDrawnMesh& half1 = shown ? m_bench.drawnHalf(1) : none;
+    if (half1 == scene.half(1))
+        return;
+    if (!shown) {
+        scene.setHalves(nullptr, nullptr, Eigen::Isometry3d::Identity(), {});
+        return;
+    }
+    scene.setHalves(half1, m_bench.drawnHalf(2), m_bench.mold()->partToMold.inverse(),
+                    m_bench.project().cast->state.directions);
+    scene.setOpening(m_viewBar->opening());
+}
+
+void MainWindow::useLook() {
+    for (const ViewPane* pane : m_views->made()) {
+        scene::Scene& scene = pane->view().scene();
+        scene.setLook(theme().scene, pane->view().devicePixelRatioF());
+        scene.setHalves(nullptr, nullptr, Eigen::Isometry3d::Identity(), {}); // their colours are the theme's
+    }
+}
+
+} // namespace moldwright

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What the views show, each by its content.
+#include "window/workbench.h"
+
+namespace moldwright {
+
+void Workbench::keepPartReady(bool wanted) {
+    if (wanted == m_partWanted)
+        return;
+    m_partWanted = wanted;
+    askPart();
+}
+
+void Workbench::askPart() {
+    const Project& shown = project();
+    if (m_partWanted && shown.part && shown.cast)
+        m_partAnalysis.ask({shown.part, shown.state, shown.design.draftDegrees, {}});
+}
+
+const AnalysisAnswer* Workbench::partAnswer() const {
+    // Without a cast the one analysis there is is the part's.
+    for (const auto* answer : {m_answer.get(), m_partAnswer.get()})
+        if (answer && answer->request.mesh == project().part)
+            return answer;
+    return nullptr;
+}
+
+ShownSurface Workbench::surface(ViewContent content) const {
+    ShownSurface surface;
+    if (content == ViewContent::Newest || shownMesh() == project().part) {
+        surface.drawn = drawnSurface();
+        if (!surface.drawn)
+            return {};
+        surface.coarse = analysisIsCoarse();
+        surface.analysis = shownAnalysis();
+        if (!surface.coarse && m_answer)
+            surface.standInAnalysis = &m_answer->standInAnalysis;
+        if (m_answer)
+            surface.picker = m_answer->picker;
+        return surface;
+    }
+    const AnalysisAnswer* answer = partAnswer();
+    if (!answer)
+        return {};
+    surface.drawn = answer->drawn;
+    surface.coarse = answer->coarse;
+    surface.analysis = answer->request.state ? &answer->analysis : nullptr;
+    surface.standInAnalysis = &answer->standInAnalysis;
+    surface.picker = answer->picker;
+    return surface;
+}
+
+std::optional<MapRequest> Workbench::mapRequest(ViewContent content, DisplayMode mode) const {
+    const ShownSurface shown = surface(content);
+    const auto& cast = project().cast;
+    if (!shown.drawn || !isMap(mode) || m_frame)
+        return std::nullopt;
+    MapRequest request;
+    request.mode = mode;
+    request.content = content;
+    request.surface = shown.drawn->mesh;
+    request.standIn = shown.drawn->standIn ? shown.drawn->standIn->mesh : nullptr;
+    request.draftDegrees = project().design.draftDegrees;
+    if (!needsCast(mode)) {
+        if (!project().state)
+            return std::nullopt;
+        request.state = *project().state;
+        return request;
+    }
+    if (!cast || cast->before.rows() == 0)
+        return std::nullopt;
+    if (mode == DisplayMode::Strain && request.surface != cast->mesh)
+        return std::nullopt;
+    request.part = project().part;
+    request.cast = cast;
+    return request;
+}
+
+const FaceMap* Workbench::map(ViewContent content, DisplayMode mode) {
+    const std::pair key(content, mode);
+    const std::optional<MapRequest> request = mapRequest(content, mode);
+    if (!request) {
+        m_maps.erase(key);
+        m_asked.erase(key);
+        return nullptr;
+    }
+    if (const auto asked = m_asked.find(key); asked == m_asked.end() || !(asked->second == *request)) {
+        m_asked[key] = *request;
+        m_liveMaps.ask(*request);
+    }
+    const auto& newest = m_maps[key];
+    return newest && newest->request.surface == request->surface ? newest.get() : nullptr;
+}
+
+} // namespace moldwright
