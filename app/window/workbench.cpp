@@ -25,6 +25,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
     connect(&m_document, &Document::changed, this, [this] {
         askAnalysis();
         askPart();
+        forgetOldMaps();
         Q_EMIT changed();
     });
     connect(&m_document, &Document::historyChanged, this, &Workbench::changed);

@@ -191,6 +191,7 @@ private:
     void pullFrames();
     void askAnalysis();
     void askPart();
+    void forgetOldMaps();
     [[nodiscard]] std::optional<MapRequest> mapRequest(ViewContent content, DisplayMode mode) const;
     [[nodiscard]] const AnalysisAnswer* partAnswer() const;
     void complain(const Error& error, const QString& what);

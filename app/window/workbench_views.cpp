@@ -50,6 +50,18 @@ ShownSurface Workbench::surface(ViewContent content) const {
     return surface;
 }
 
+void Workbench::forgetOldMaps() {
+    // They hold on to surfaces that nothing else may need any more.
+    const Project& shown = project();
+    const auto isOld = [&](const SharedMesh& surface) {
+        return surface != shown.part && !(shown.cast && surface == shown.cast->mesh);
+    };
+    std::erase_if(m_maps, [&](const auto& map) { return map.second && isOld(map.second->request.surface); });
+    std::erase_if(m_asked, [&](const auto& asked) { return isOld(asked.second.surface); });
+    if (m_partAnswer && isOld(m_partAnswer->request.mesh))
+        m_partAnswer.reset();
+}
+
 std::optional<MapRequest> Workbench::mapRequest(ViewContent content, DisplayMode mode) const {
     const ShownSurface shown = surface(content);
     const auto& cast = project().cast;

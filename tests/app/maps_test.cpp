@@ -168,7 +168,6 @@ TEST(Section, CutsTheMoldOpenToo) {
     auto* across = driver.window().findChild<QComboBox*>(QStringLiteral("view-1-section-across"));
     across->setFocus();
     QTest::keyClick(across, Qt::Key_Down);
-    QTest::keyClick(across, Qt::Key_Down);
     QTest::qWait(300);
     driver.shot("52-mold-section");
     PartView& view = driver.window().view();

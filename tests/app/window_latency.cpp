@@ -14,6 +14,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QSlider>
 #include <QTest>
 #include <QTimer>
 
@@ -129,6 +130,27 @@ int main(int argc, char** argv) {
     measure("turn by 90°", gap, driver,
             [&] { driver.window().actions()[QStringLiteral("turn-x")]->trigger(); });
     measure("draft map", gap, driver, [&] { driver.press("D"); });
+    measure("undercut depth", gap, driver, [&] {
+        driver.press("Shift+U");
+        driver.waitFor(
+            [&] { return driver.bench().map(ViewContent::Newest, DisplayMode::UndercutDepth) != nullptr; });
+    });
+    measure("section", gap, driver, [&] { driver.press("C"); });
+    measure("move the section", gap, driver, [&] {
+        auto* slider = driver.window().findChild<QSlider*>(QStringLiteral("view-1-section-slider"));
+        for (int step = 0; step < 10; ++step)
+            QTest::keyClick(slider, Qt::Key_PageDown, {}, 20);
+    });
+    driver.press("C");
+    measure("two views", gap, driver, [&] { driver.press("Alt+2"); });
+    measure("four views", gap, driver, [&] { driver.press("Alt+4"); });
+    measure("linked orbit of four", gap, driver, [&] {
+        driver.press("Shift+L");
+        PartView& free = driver.window().view();
+        drag(free, {free.width() / 2, free.height() / 2}, {80, 20}, Qt::MiddleButton, Qt::ShiftModifier);
+        driver.press("Shift+L");
+    });
+    driver.press("Alt+1");
     measure("dark theme", gap, driver,
             [&] { driver.window().actions()[QStringLiteral("theme-dark")]->trigger(); });
     for (const char* which : {"picture by stand-in", "picture of the whole"}) {
