@@ -69,10 +69,11 @@ Result<void> takeGuides(const DesignOptions& options, DesignRequest& request) {
         request.pins = std::move(*pins);
     }
     if (!options.weights.empty()) {
-        Result<std::vector<double>> weights = readWeights(options.weights, *request.part);
-        if (!weights)
-            return std::unexpected(weights.error());
-        request.faceWeights = std::move(*weights);
+        Result<Importance> importance = readWeights(options.weights, *request.part);
+        if (!importance)
+            return std::unexpected(importance.error());
+        request.faceWeights = std::move(importance->faceWeights);
+        request.regions = std::move(importance->regions);
     }
     return {};
 }
@@ -158,6 +159,12 @@ void tell(const DesignResult& result, const Session& session) {
                       << figureRoundedDown(result.certificate.worstDraftDegrees, 2) << "° or more.\n";
     else
         session.out() << "Not castable: " << result.certificate.reason << '\n';
+    for (const RegionMeasure& region : result.regions)
+        if (!region.kept)
+            session.tell(
+                {MW_TEXT("cli", "The region {0} changed its shape by {1} mm, more than allowed. Give "
+                                "it more weight, or another plane."),
+                 {region.name, readable(region.maxDistance, 3)}});
     if (const double filled = result.change.filledVolumeFraction; filled > 0)
         session.out() << "Filled in: " << readable(100 * filled, 2) << " % of the part's volume.\n";
     session.out() << "Mean change " << readable(100 * result.change.meanDistance, 2)

@@ -114,6 +114,14 @@ Json designJson(const std::string& inputFile, const DesignRequest& request, cons
         json["limbs"].push_back({{"tip", cli::jsonOf(limb.tip)},
                                  {"length_ratio", limb.lengthRatio},
                                  {"volume_ratio", limb.volumeRatio}});
+    if (!request.regions.empty())
+        json["regions"] = Json::array();
+    for (const RegionMeasure& region : result.regions)
+        json["regions"].push_back({{"name", region.name},
+                                   {"max_distance", region.maxDistance},
+                                   {"rms_distance", region.rmsDistance},
+                                   {"strain_rms", region.strain},
+                                   {"kept", region.kept}});
     if (!request.pins.empty())
         json["pins"] = Json::array();
     for (std::size_t i = 0; i < result.pins.size(); ++i)

@@ -101,6 +101,29 @@ Result<std::vector<int>> facesOf(const Json& entry, const IndexedMesh& part,
     return facesInBall(part, *centre, *radius);
 }
 
+/// A region with its name and limit.
+Result<KeptRegion> regionOf(const Json& entry, const IndexedMesh& part,
+                            const std::vector<std::string>& which) {
+    Result<std::vector<int>> faces = facesOf(entry, part, which);
+    if (!faces)
+        return std::unexpected(faces.error());
+    if (faces->empty())
+        return refused(MW_TEXT("cli", "{0}: region {1} has no face of the part in it."), which);
+    KeptRegion region{which[1], std::move(*faces), 0};
+    if (entry.contains("name") && entry["name"].is_string())
+        region.name = entry["name"].get<std::string>();
+    if (entry.contains("keep_within")) {
+        const std::optional<double> within = numberUnder(entry, "keep_within");
+        if (!within || !(*within > 0))
+            return refused(MW_TEXT("cli",
+                                   "{0}: the \"keep_within\" of region {1} has to be a positive number "
+                                   "of millimetres."),
+                           which);
+        region.within = *within;
+    }
+    return region;
+}
+
 } // namespace
 
 Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const IndexedMesh& part) {
@@ -126,30 +149,29 @@ Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const Index
     return pins;
 }
 
-Result<std::vector<double>> readWeights(const std::filesystem::path& file, const IndexedMesh& part) {
+Result<Importance> readWeights(const std::filesystem::path& file, const IndexedMesh& part) {
     const Result<Json> list = readList(file, "regions");
     if (!list)
         return std::unexpected(list.error());
-    std::vector<double> weights(static_cast<std::size_t>(part.faceCount()), 1);
-    int number = 0;
+    Importance importance;
+    importance.faceWeights.assign(static_cast<std::size_t>(part.faceCount()), 1);
     for (const Json& entry : *list) {
-        const std::vector<std::string> which = {file.string(), std::to_string(++number)};
+        const std::vector<std::string> which = {file.string(), std::to_string(importance.regions.size() + 1)};
         const std::optional<double> weight = numberUnder(entry, "weight");
         if (!weight || !(*weight >= 1) || *weight > kMostWeight)
             return refused(MW_TEXT("cli", "{0}: region {1} needs a \"weight\" from 1 (like the rest) to "
                                           "65536."),
                            which);
-        const Result<std::vector<int>> faces = facesOf(entry, part, which);
-        if (!faces)
-            return std::unexpected(faces.error());
-        if (faces->empty())
-            return refused(MW_TEXT("cli", "{0}: region {1} has no face of the part in it."), which);
-        for (const int f : *faces) {
-            double& here = weights[static_cast<std::size_t>(f)];
+        Result<KeptRegion> region = regionOf(entry, part, which);
+        if (!region)
+            return std::unexpected(region.error());
+        for (const int f : region->faces) {
+            double& here = importance.faceWeights[static_cast<std::size_t>(f)];
             here = std::max(here, *weight);
         }
+        importance.regions.push_back(std::move(*region));
     }
-    return weights;
+    return importance;
 }
 
 } // namespace moldwright::cli

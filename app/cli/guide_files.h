@@ -14,11 +14,17 @@ namespace moldwright::cli {
 /// BadInput, naming the file, the entry and what is wrong.
 [[nodiscard]] Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const IndexedMesh& part);
 
-/// Importance per face of the part from a JSON file, {"regions": [{"centre": [x, y, z], "radius": r,
-/// "weight": w}, {"faces": [f, …], "weight": w}, …]}: a region is the faces with their middle in a ball, mm,
-/// or those named; where regions overlap the larger weight holds, elsewhere it is 1. Errors: BadInput, naming
-/// the file, the entry and what is wrong; a region without a face too.
-[[nodiscard]] Result<std::vector<double>> readWeights(const std::filesystem::path& file,
-                                                      const IndexedMesh& part);
+/// What is important of a part.
+struct Importance {
+    std::vector<double> faceWeights; ///< per face of the part
+    std::vector<KeptRegion> regions;
+};
+
+/// Importance from a JSON file, {"regions": [{"name": "eye", "centre": [x, y, z], "radius": r, "weight": w,
+/// "keep_within": d}, {"faces": [f, …], "weight": w}, …]}: a region is the faces with their middle in a ball,
+/// mm, or those listed; where regions overlap the larger weight holds, elsewhere it is 1. Without a name a
+/// region has its number; without keep_within (mm) it is only measured. Errors: BadInput, naming the file,
+/// the entry and what is wrong; a region without a face too.
+[[nodiscard]] Result<Importance> readWeights(const std::filesystem::path& file, const IndexedMesh& part);
 
 } // namespace moldwright::cli

@@ -45,6 +45,7 @@ void takeCast(DesignResult& result, const PartedPart& part, const BentShape& ben
          [&] { result.change = measureChange(*request.part, before, rounded, source); },
          [&] { result.strain = surfaceStrain(before, rounded, source); },
          [&] { analysis = analyzeDraft(rounded, part.state, request.draftDegrees, false); }});
+    result.regions = measureRegions(request.regions, before, part.surface.sourceFace, rounded, source);
     result.pins = pinnedPoints(bent.pins, part, rounded, source);
     result.castable = result.certificate.holds();
     result.energy = analysis.energy;

@@ -6,6 +6,7 @@
 #include "base/task.h"
 #include "castability/certificate.h"
 #include "castability/mold_state.h"
+#include "design/region_measure.h"
 #include "design/strain.h"
 #include "mesh/indexed_mesh.h"
 
@@ -44,6 +45,7 @@ struct DesignRequest {
     DeformationMethod method = DeformationMethod::Default;
     std::vector<Pin> pins;
     std::vector<double> faceWeights;       ///< importance per face of `part`, 1 = plain; empty: all plain
+    std::vector<KeptRegion> regions;       ///< of `part`: measured in the result
     std::vector<Eigen::Vector3d> limbTips; ///< where limb measures are wanted; empty: found automatically
     FillChoice fill = FillChoice::None;
     bool mergePieces = false; ///< filling may join pieces of the part that were apart
@@ -124,7 +126,8 @@ struct DesignResult {
     Change change;
     SurfaceStrain strain; ///< from the part, filled where it was filled, to the cast
     std::vector<LimbMeasure> limbs;
-    std::vector<PinnedPoint> pins; ///< one for each of the request's; none without a cast
+    std::vector<RegionMeasure> regions; ///< one for each of the request's; none without a cast
+    std::vector<PinnedPoint> pins;      ///< one for each of the request's; none without a cast
     std::vector<Obstruction> obstructions;
     SharedMesh parted; ///< mm, part frame: the part with its parting line, where obstructions were found
     SideLabels partedLabels; ///< side of each face of parted

@@ -75,6 +75,9 @@ DesignResult judged(const Elastoplastic& solver, DesignRun& run) {
     std::iota(same.begin(), same.end(), 0);
     result.change = measureChange(*request.part, *request.part, cast, same);
     result.strain = surfaceStrain(*request.part, cast, same);
+    std::vector<int> sameFace(static_cast<std::size_t>(cast.faceCount()));
+    std::iota(sameFace.begin(), sameFace.end(), 0);
+    result.regions = measureRegions(request.regions, *request.part, sameFace, cast, same);
     for (const PlacedPin& pin : pins) {
         const Eigen::Vector3d place = pin.surfacePoint < 0 ? pin.place : cast.point(pin.surfacePoint);
         result.pins.push_back({place, std::abs(result.state.plane.distance(place))});

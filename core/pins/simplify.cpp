@@ -16,9 +16,9 @@ constexpr int kFewBalls = 50; ///< from here on ends and loops are kept
 constexpr std::size_t kGrain = 1024;
 constexpr int kAskEvery = 256; ///< collapses between questions whether to stop
 
-/// An edge and its cost when its balls had these ages.
+/// An edge and its cost when its balls had these ages. Small: what the queue costs is memory.
 struct Entry {
-    double cost;
+    float cost;
     int u, v;
     unsigned age; ///< both balls' together
 
@@ -30,7 +30,8 @@ struct Entry {
 };
 
 Entry entryOf(const CollapsingAxis& axis, int u, int v) {
-    return {axis.collapseOf(u, v).cost, std::min(u, v), std::max(u, v), axis.age(u) + axis.age(v)};
+    return {static_cast<float>(axis.collapseOf(u, v).cost), std::min(u, v), std::max(u, v),
+            axis.age(u) + axis.age(v)};
 }
 
 /// Down to `count` balls, by cost alone.

@@ -123,9 +123,9 @@ std::vector<int> nearestOfFaces(const std::vector<Candidate>& pins, const Indexe
     return nearest;
 }
 
-std::vector<double> areaShares(const std::vector<Candidate>& pins, const IndexedMesh& mesh) {
-    std::vector<double> shares(pins.size(), 0);
-    const std::vector<int> nearest = nearestOfFaces(pins, mesh);
+/// The share of the surface that is each pin's, `nearest` being the pin of each face.
+std::vector<double> areaShares(std::size_t pins, const std::vector<int>& nearest, const IndexedMesh& mesh) {
+    std::vector<double> shares(pins, 0);
     const double whole = surfaceArea(mesh);
     for (int f = 0; f < mesh.faceCount(); ++f)
         shares[static_cast<std::size_t>(nearest[static_cast<std::size_t>(f)])] +=
@@ -135,7 +135,9 @@ std::vector<double> areaShares(const std::vector<Candidate>& pins, const Indexed
 
 /// At most `count` of the pins: those with the least surface go first, the ends of limbs last.
 std::vector<Candidate> fewest(std::vector<Candidate> pins, int count, const IndexedMesh& mesh) {
-    const std::vector<double> shares = areaShares(pins, mesh);
+    if (static_cast<int>(pins.size()) <= count)
+        return pins;
+    const std::vector<double> shares = areaShares(pins.size(), nearestOfFaces(pins, mesh), mesh);
     std::vector<std::size_t> order(pins.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -143,7 +145,7 @@ std::vector<Candidate> fewest(std::vector<Candidate> pins, int count, const Inde
         const bool tipB = pins[b].kind == PinKind::Tip;
         return tipA != tipB ? tipA : shares[a] > shares[b];
     });
-    order.resize(std::min(order.size(), static_cast<std::size_t>(std::max(count, 1))));
+    order.resize(static_cast<std::size_t>(std::max(count, 1)));
     std::sort(order.begin(), order.end());
     std::vector<Candidate> kept;
     for (const std::size_t i : order)
@@ -151,24 +153,27 @@ std::vector<Candidate> fewest(std::vector<Candidate> pins, int count, const Inde
     return kept;
 }
 
-PinSuggestions suggestionsOf(std::vector<Candidate> pins, const UnitPart& unit) {
-    PinSuggestions result;
-    const std::vector<double> shares = areaShares(pins, unit.mesh);
+/// Highest rank first.
+PinSuggestions suggestionsOf(const std::vector<Candidate>& pins, const UnitPart& unit) {
+    std::vector<SuggestedPin> found;
+    const std::vector<int> nearest = nearestOfFaces(pins, unit.mesh);
+    const std::vector<double> shares = areaShares(pins.size(), nearest, unit.mesh);
     for (std::size_t i = 0; i < pins.size(); ++i)
-        result.pins.push_back({unit.toPart(pins[i].ball.centre), unit.size * pins[i].ball.radius,
-                               pins[i].kind, shares[i], 0, 0});
-    setRanks(result.pins);
+        found.push_back({unit.toPart(pins[i].ball.centre), unit.size * pins[i].ball.radius, pins[i].kind,
+                         shares[i], 0, 0});
+    setRanks(found);
     std::vector<std::size_t> order(pins.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return result.pins[a].rank > result.pins[b].rank; });
+                     [&](std::size_t a, std::size_t b) { return found[a].rank > found[b].rank; });
     PinSuggestions ordered;
-    std::vector<Candidate> orderedPins;
+    std::vector<int> now(pins.size());
     for (const std::size_t i : order) {
-        ordered.pins.push_back(result.pins[i]);
-        orderedPins.push_back(pins[i]);
+        now[i] = static_cast<int>(ordered.pins.size());
+        ordered.pins.push_back(found[i]);
     }
-    ordered.pinOfFace = nearestOfFaces(orderedPins, unit.mesh);
+    for (const int pin : nearest)
+        ordered.pinOfFace.push_back(now[static_cast<std::size_t>(pin)]);
     return ordered;
 }
 

@@ -150,6 +150,8 @@ TEST_F(PinsCommands, PinsAndWeightsOfAFileThatCannotBeUsedAreNamed) {
         {"--weights", R"({"pins": []})", "\"regions\""},
         {"--weights", R"({"regions": [{"centre": [0, 0, 0], "radius": 5}]})", "weight"},
         {"--weights", R"({"regions": [{"centre": [0, 0, 0], "radius": -5, "weight": 2}]})", "radius"},
+        {"--weights", R"({"regions": [{"centre": [0, 0, 0], "radius": 9, "weight": 2, "keep_within": "x"}]})",
+         "keep_within"},
         {"--weights", R"({"regions": [{"faces": [0, 99999999], "weight": 2}]})", "faces"},
         {"--weights", R"({"regions": [{"centre": [900, 0, 0], "radius": 5, "weight": 2}]})", "no face"},
     };
@@ -166,7 +168,7 @@ TEST_F(PinsCommands, PinsAndWeightsOfAFileThatCannotBeUsedAreNamed) {
     EXPECT_NE(missing.err.find("nowhere.json"), std::string::npos) << missing.err;
 }
 
-TEST_F(PinsCommands, WhatIsImportantChangesLess) {
+TEST_F(PinsCommands, WeightsChangeTheDesignAndTheirRegionsAreMeasured) {
     const std::string part = bow(16);
     const std::vector<std::string> plain = {"design", part,  "--out", in("plain"), "--plane",
                                             "0",      "0.3", "1",     "-3"};
@@ -174,7 +176,14 @@ TEST_F(PinsCommands, WhatIsImportantChangesLess) {
     std::vector<std::string> weighted = plain;
     weighted[3] = in("weighted");
     weighted.insert(weighted.end(), {"--weights", write("weights.json", R"({"regions": [
-                        {"centre": [36, 0, -13], "radius": 12, "weight": 64}]})")});
+                        {"name": "end", "centre": [36, 0, -13], "radius": 12, "weight": 64,
+                         "keep_within": 1e-6}]})")});
     ASSERT_EQ(test::runProgram(weighted).exitCode, 0);
-    EXPECT_NE(jsonIn("plain/design.json")["strain"], jsonIn("weighted/design.json")["strain"]);
+    const Json design = jsonIn("weighted/design.json");
+    EXPECT_NE(jsonIn("plain/design.json")["strain"], design["strain"]);
+    EXPECT_FALSE(jsonIn("plain/design.json").contains("regions"));
+    ASSERT_EQ(design["regions"].size(), 1U);
+    EXPECT_EQ(design["regions"][0]["name"], "end");
+    EXPECT_GT(design["regions"][0]["max_distance"].get<double>(), 1e-6);
+    EXPECT_EQ(design["regions"][0]["kept"], false);
 }
