@@ -94,11 +94,8 @@ Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& ben
     return result;
 }
 
-Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& run) {
-    const Stopwatch watch(run.seconds(), attempt.fill ? "fill" : "plane");
-    Result<PartedPart> part =
-        attempt.fill ? filledSurface(*attempt.shape, attempt.state, *attempt.fill, task, attempt.pins)
-                     : partSurface(*attempt.shape, attempt.state, task, attempt.pins);
+/// The part, if pieces of it were not joined against the request.
+Result<PartedPart> unlessJoined(Result<PartedPart> part, const Attempt& attempt, const DesignRun& run) {
     if (part)
         part->before = beforePinning(*part, *attempt.shape, *run.request().part);
     if (part && !run.request().mergePieces &&
@@ -108,6 +105,33 @@ Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& r
                                "Filling would join pieces of the part that are apart. Allow it, take "
                                "them apart further, or give another plane."));
     return part;
+}
+
+Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& run) {
+    const Stopwatch watch(run.seconds(), attempt.fill ? "fill" : "plane");
+    return unlessJoined(attempt.fill
+                            ? filledSurface(*attempt.shape, attempt.state, *attempt.fill, task, attempt.pins)
+                            : partSurface(*attempt.shape, attempt.state, task, attempt.pins),
+                        attempt, run);
+}
+
+/// Everything filled, with draft: then nothing needs bending, and only the finish has a little to do.
+Result<DesignResult> fillWholly(const Attempt& attempt, const ShapeGoal& goal, const Task& task,
+                                DesignRun& run) {
+    const Result<PartedPart> part = [&] {
+        const Stopwatch watch(run.seconds(), "fill");
+        return unlessJoined(
+            filledWithDraft(*attempt.shape, attempt.state, goal.draftDegrees, task, attempt.pins), attempt,
+            run);
+    }();
+    if (!part)
+        return std::unexpected(part.error());
+    // Clean-up alone is quickest; where it makes something cross, motion comes first.
+    BentShape asItIs{surfaceAt(*part, part->surface.mesh.V)};
+    Result<DesignResult> result = finishAndProve(*part, asItIs, goal, task, run);
+    asItIs.followed = true;
+    return result && !result->castable && !task.stopped() ? finishAndProve(*part, asItIs, goal, task, run)
+                                                          : result;
 }
 
 /// The part with tetrahedra inside; parted with more caution where TetGen refuses it.
@@ -146,6 +170,10 @@ Result<DesignResult> bendWhole(const Attempt& attempt, const PartedPart& part, c
 
 Result<DesignResult> tryAttempt(const Attempt& attempt, const Task& task, DesignRun& run) {
     const ShapeGoal goal = goalOf(attempt, run);
+    if (attempt.fill == FillExtent::All)
+        if (Result<DesignResult> result = fillWholly(attempt, goal, task, run);
+            (result && result->castable) || task.stopped())
+            return result;
     const Result<PartedPart> part = parted(attempt, task, run);
     if (!part)
         return std::unexpected(part.error());

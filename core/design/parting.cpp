@@ -139,8 +139,18 @@ Result<PartedPart> partUntil(const Taking& take, const IndexedMesh& part, const 
     return std::unexpected(*refusal);
 }
 
+/// A way to fill a parted surface.
+using Filling = std::function<Result<FilledPart>(const PartedMesh&, const Directions&)>;
+
+Filling fillingTo(FillExtent extent, const Task& task) {
+    return [extent, &task](const PartedMesh& surface, const Directions& directions) {
+        return filledTo(extent, surface, directions, task);
+    };
+}
+
 Result<PartedPart> fillUntil(const Taking& take, const IndexedMesh& part, const MoldState& state,
-                             FillExtent extent, const Task& task, const std::vector<PlacedPin>& partPins) {
+                             const Filling& filling, const Task& task,
+                             const std::vector<PlacedPin>& partPins) {
     const WorkingFrame frame(part, state);
     const std::vector<PlacedPin> pins = pinsToWork(partPins, frame);
     const IndexedMesh work = withPinsInPlane(frame.toWork(part), pins);
@@ -154,7 +164,7 @@ Result<PartedPart> fillUntil(const Taking& take, const IndexedMesh& part, const 
             refusal = crossesItself();
             continue;
         }
-        Result<FilledPart> filled = filledTo(extent, surface, directions, task);
+        Result<FilledPart> filled = filling(surface, directions);
         if (!filled) {
             refusal = filled.error();
             continue;
@@ -222,14 +232,23 @@ Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, c
 
 Result<PartedPart> filledSurface(const IndexedMesh& part, const MoldState& state, FillExtent extent,
                                  const Task& task, const std::vector<PlacedPin>& pins) {
-    return fillUntil(takeAny, part, state, extent, task, pins);
+    return fillUntil(takeAny, part, state, fillingTo(extent, task), task, pins);
 }
 
 Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state, FillExtent extent,
                                 const Task& task, const std::vector<PlacedPin>& pins) {
     TetMesh tets;
-    Result<PartedPart> taken = fillUntil(takeFilled(tets, task), part, state, extent, task, pins);
+    Result<PartedPart> taken =
+        fillUntil(takeFilled(tets, task), part, state, fillingTo(extent, task), task, pins);
     return solidOf(std::move(taken), std::move(tets));
+}
+
+Result<PartedPart> filledWithDraft(const IndexedMesh& part, const MoldState& state, double draftDegrees,
+                                   const Task& task, const std::vector<PlacedPin>& pins) {
+    const Filling filling = [&](const PartedMesh& surface, const Directions& directions) {
+        return fillWithDraft(surface, directions, draftDegrees, task);
+    };
+    return fillUntil(takeAny, part, state, filling, task, pins);
 }
 
 } // namespace moldwright

@@ -52,6 +52,12 @@ enum class FillExtent { Needed, All };
                                               FillExtent extent, const Task& task,
                                               const std::vector<PlacedPin>& pins = {});
 
+/// The part with all filled that cannot leave, the walls leaning by the draft already (see fillWithDraft()):
+/// nothing is left to bend. Errors: Internal, Cancelled.
+[[nodiscard]] Result<PartedPart> filledWithDraft(const IndexedMesh& part, const MoldState& state,
+                                                 double draftDegrees, const Task& task,
+                                                 const std::vector<PlacedPin>& pins = {});
+
 /// Whether the topological certificate holds for the part at `state`.
 [[nodiscard]] bool planePasses(const IndexedMesh& part, const MoldState& state);
 

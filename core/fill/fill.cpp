@@ -6,12 +6,15 @@
 #include "fill/field_repair.h"
 #include "fill/field_tidy.h"
 #include "fill/joined_halves.h"
+#include "fill/leaned_field.h"
+#include "fill/leaned_repair.h"
 #include "fill/outermost_surface.h"
 #include "fill/outlines.h"
 #include "mesh/check.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -35,6 +38,11 @@ constexpr std::array kRungs = {Boldness{0.1, 0.01, 0.01, 16}, Boldness{0.1, 0.01
 /// Of the squared size: what an area seen from behind may be and still be rounding.
 constexpr double kRounding = 1e-14;
 
+constexpr double kAim = 0.6;    ///< degrees above the draft at which skirts lean
+constexpr double kLimit = 0.25; ///< degrees above the draft from which nothing leans further
+constexpr double kNear = 0.002; ///< mean edges: points of skirts that are nearer become one
+constexpr double kApron = 20;   ///< times that: how far about a point in the plane that is lifted
+
 double meanEdge(const IndexedMesh& mesh) {
     double sum = 0;
     for (int f = 0; f < mesh.faceCount(); ++f)
@@ -43,26 +51,64 @@ double meanEdge(const IndexedMesh& mesh) {
     return sum / (3 * mesh.faceCount());
 }
 
-/// Nothing once the task is stopped.
-PartedMesh filled(const PartedMesh& part, const ShadowGrid& grid, const Boldness& boldness,
-                  const Task& task) {
+HeightField leaning(const HeightField& field, const Eigen::Vector2d& run, double draftDegrees, double near) {
+    const DraftCone limit(run, draftDegrees + kLimit);
+    HeightField leaned = leanWalls(field, DraftCone(run, draftDegrees + kAim), limit, near);
+    repairLeaned(leaned, limit, kApron * near);
+    return leaned;
+}
+
+/// Of the body below a half, in cubed grid steps.
+double volumeBelow(const HeightField& field) {
+    double sum = 0;
+    for (const auto f : field.mesh().faces())
+        for (const auto h : field.mesh().fh_range(f))
+            sum += field.area(f) * field.height(h) / 6;
+    return sum;
+}
+
+struct FilledHalf {
+    HeightField field;
+    double skirtVolume = 0; ///< cubed grid steps
+};
+
+FilledHalf filledHalf(const ProjectedHalf& half, const Eigen::Vector2d& run, double edge,
+                      const Boldness& boldness, std::optional<double> draftDegrees, const Task& task) {
+    FilledHalf made{outermostSurface(half, boldness.step, task)};
+    if (boldness.tidying > 0 && !task.stopped())
+        tidy(made.field, {boldness.tidying * edge, boldness.flatness * edge});
+    if (!task.stopped())
+        makeManifold(made.field);
+    if (!draftDegrees || task.stopped())
+        return made;
+    const double before = volumeBelow(made.field);
+    made.field = leaning(made.field, run, *draftDegrees, kNear * edge);
+    made.skirtVolume = volumeBelow(made.field) - before;
+    return made;
+}
+
+/// Surface and volume of the skirts; nothing once the task is stopped.
+FilledPart filled(const PartedMesh& part, const ShadowGrid& grid, const Boldness& boldness,
+                  std::optional<double> draftDegrees, const Task& task) {
     const double edge = meanEdge(part.mesh) / grid.step();
-    std::array<std::optional<HeightField>, 2> made;
+    std::array<std::optional<FilledHalf>, 2> made;
     parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            made[i] = outermostSurface(projectHalf(part, static_cast<int>(i) + 1, grid), boldness.step, task);
-            if (boldness.tidying > 0 && !task.stopped())
-                tidy(*made[i], {boldness.tidying * edge, boldness.flatness * edge});
-            if (!task.stopped())
-                makeManifold(*made[i]);
+            const int side = static_cast<int>(i) + 1;
+            made[i] =
+                filledHalf(projectHalf(part, side, grid), grid.run(side), edge, boldness, draftDegrees, task);
         }
     });
     if (task.stopped())
         return {};
-    std::array<HeightField, 2> halves = {std::move(*made[0]), std::move(*made[1])};
+    std::array<HeightField, 2> halves = {std::move(made[0]->field), std::move(made[1]->field)};
     if (boldness.matching > 0)
         matchOutlines(halves, boldness.matching * edge);
-    return task.stopped() ? PartedMesh{} : joinHalves(halves, grid);
+    FilledPart result;
+    if (!task.stopped())
+        result.surface = joinHalves(halves, grid);
+    result.skirtVolume = (made[0]->skirtVolume + made[1]->skirtVolume) * std::pow(grid.step(), 3);
+    return result;
 }
 
 /// Per point of the filled mesh the point of the part that stands there, −1 for none.
@@ -100,24 +146,33 @@ bool sound(const PartedMesh& surface, const Directions& directions) {
            found.selfIntersections.empty() && topologyAllowsCasting(surface.mesh, surface.labels);
 }
 
-} // namespace
-
-Result<FilledPart> fill(const PartedMesh& part, const Directions& directions, const Task& task) {
+Result<FilledPart> fillBy(const PartedMesh& part, const Directions& directions,
+                          std::optional<double> draftDegrees, const Task& task) {
     const ShadowGrid grid(part.mesh, directions);
     for (const Boldness& boldness : kRungs) {
-        FilledPart result;
-        result.surface = filled(part, grid, boldness, task);
+        FilledPart result = filled(part, grid, boldness, draftDegrees, task);
         if (task.stopped())
             return failure(ErrorCode::Cancelled, MW_TEXT("fill", "Filling was cancelled."));
         if (!sound(result.surface, directions))
             continue;
         result.sourceVertex = pointsKept(part, result.surface.mesh, grid);
-        result.volume = volume(result.surface.mesh) - volume(part.mesh);
+        result.volume = volume(result.surface.mesh) - volume(part.mesh) - result.skirtVolume;
         return result;
     }
     return failure(ErrorCode::Internal,
                    MW_TEXT("fill", "The undercuts could not be filled without the surface "
                                    "crossing itself. Move the parting plane a little."));
+}
+
+} // namespace
+
+Result<FilledPart> fill(const PartedMesh& part, const Directions& directions, const Task& task) {
+    return fillBy(part, directions, std::nullopt, task);
+}
+
+Result<FilledPart> fillWithDraft(const PartedMesh& part, const Directions& directions, double draftDegrees,
+                                 const Task& task) {
+    return fillBy(part, directions, draftDegrees, task);
 }
 
 } // namespace moldwright

@@ -13,7 +13,8 @@ namespace moldwright {
 struct FilledPart {
     PartedMesh surface;            ///< plane's frame; sourceFace −1: a wall or flat face that filling made
     std::vector<int> sourceVertex; ///< per point: the point of the parted mesh it is, −1 for a new one
-    double volume = 0;             ///< what was filled in, mm³ (mesh unit cubed)
+    double volume = 0;             ///< what was filled in, mm³ (mesh unit cubed), without the skirts
+    double skirtVolume = 0;        ///< what the skirts of fillWithDraft() added besides
 };
 
 /// Fills both halves of a parted mesh: everything between a half's outermost surface along its direction and
@@ -26,5 +27,13 @@ struct FilledPart {
 /// passes the checks.
 [[nodiscard]] Result<FilledPart> fill(const PartedMesh& part, const Directions& directions,
                                       const Task& task = {});
+
+/// The same with walls that lean: where filling, or the part itself, would miss the draft, a skirt falls from
+/// the upper rim outwards, a little flatter than the draft asks for, and joins the surface or the plane
+/// below. All faces have the draft, with something to spare for rounding, but for a few, in hundreds of faces
+/// one at most, where skirts meet awkwardly: those a clean-up mends. The rest of the part stays where it is.
+/// Everything else is as for fill(). Errors: those of fill().
+[[nodiscard]] Result<FilledPart> fillWithDraft(const PartedMesh& part, const Directions& directions,
+                                               double draftDegrees, const Task& task = {});
 
 } // namespace moldwright

@@ -29,6 +29,11 @@ public:
 
     [[nodiscard]] double step() const { return m_step; } ///< width of the grid, in the mesh's unit
 
+    /// How the points of a side's half move in the plane per height.
+    [[nodiscard]] Eigen::Vector2d run(int side) const {
+        return (side == 1 ? 1 : -1) * m_slope[static_cast<std::size_t>(side - 1)];
+    }
+
     /// Shadows lie within ±reach.
     static constexpr double reach = 16777216;
 

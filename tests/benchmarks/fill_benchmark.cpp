@@ -3,7 +3,10 @@
 #include "benchmarks/subjects.h"
 #include "benchmarks/timing.h"
 
+#include "castability/certificate.h"
+#include "castability/float_rounding.h"
 #include "castability/parting_line.h"
+#include "deformation/finish.h"
 #include "fill/fill_plan.h"
 #include "mesh/check.h"
 #include "mesh/measures.h"
@@ -44,6 +47,34 @@ static void fillAll(benchmark::State& state) {
     state.counters["over_check"] = best.seconds() / check;
 }
 BENCHMARK(fillAll)->Apply(eachSubject)->Iterations(5);
+
+/// Filled with walls that lean, what is left cleaned up, proved: from the parted part to the certificate.
+static void fillDrafted(benchmark::State& state) {
+    constexpr double kDraft = 1;
+    const PartedMesh parted = poorlyParted(subjectOf(state));
+    const double step = std::numeric_limits<float>::epsilon() * parted.mesh.V.cwiseAbs().maxCoeff();
+    Best best(state);
+    double vertical = std::numeric_limits<double>::infinity();
+    Certificate certificate;
+    for (auto _ : state) {
+        vertical = std::min(vertical, secondsOf([&] { benchmark::DoNotOptimize(fill(parted, {})); }));
+        best.round([&] {
+            const Result<FilledPart> filled = fillWithDraft(parted, {}, kDraft);
+            if (!filled)
+                return;
+            LabelledSurface surface{filled->surface.mesh, filled->surface.labels, filled->sourceVertex};
+            finishSurface(surface, {{}, kDraft, step}, {}, {});
+            certificate = certify(roundKeepingDraft(surface.mesh, surface.labels, {}, kDraft), surface.labels,
+                                  {}, kDraft);
+        });
+    }
+    if (!certificate.holds())
+        return state.SkipWithError("not proved");
+    state.counters["faces"] = parted.mesh.faceCount();
+    state.counters["us_per_face"] = 1e6 * best.seconds() / parted.mesh.faceCount();
+    state.counters["over_vertical"] = best.seconds() / vertical;
+}
+BENCHMARK(fillDrafted)->Apply(eachSubject)->Iterations(5);
 
 /// The same with the regions that the topological certificate asks for.
 static void fillPlanned(benchmark::State& state) {

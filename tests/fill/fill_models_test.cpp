@@ -60,6 +60,11 @@ TEST(FillModels, EveryModelBecomesSoundAtEveryAxisPlane) {
             ASSERT_TRUE(least) << least.error().english();
             EXPECT_TRUE(topologyAllowsCasting(least->surface.mesh, least->surface.labels));
             EXPECT_LE(least->volume, plan->filled.volume + 1e-4 * volume(plan->part.mesh));
+            const auto drafted = fillWithDraft(plan->part, {}, 1);
+            ASSERT_TRUE(drafted) << drafted.error().english();
+            test::expectSound(*drafted, {});
+            EXPECT_NEAR(drafted->volume, plan->filled.volume, 1e-4 * volume(plan->part.mesh));
+            EXPECT_LE(test::facesShort(*drafted, {}, 1), drafted->surface.mesh.faceCount() / 200 + 10);
             ++checked;
         }
     }

@@ -34,6 +34,16 @@ void expectSound(const FilledPart& filled, const Directions& directions) {
     EXPECT_TRUE(topologyAllowsCasting(surface.mesh, surface.labels));
 }
 
+int facesShort(const FilledPart& filled, const Directions& directions, double degrees) {
+    int count = 0;
+    for (int f = 0; f < filled.surface.mesh.faceCount(); ++f) {
+        const Eigen::Vector3d normal = doubleAreaVector(filled.surface.mesh, f).normalized();
+        const int side = filled.surface.labels[static_cast<std::size_t>(f)];
+        count += draftDegrees(normal.dot(directions.of(side))) < degrees ? 1 : 0;
+    }
+    return count;
+}
+
 std::vector<double> crossings(const IndexedMesh& mesh, const Eigen::Vector2d& foot,
                               const Eigen::Vector3d& d) {
     std::vector<double> heights;

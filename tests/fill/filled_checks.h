@@ -10,6 +10,9 @@ namespace moldwright::test {
 /// plane.
 void expectSound(const FilledPart& filled, const Directions& directions);
 
+/// How many faces miss the draft angle.
+int facesShort(const FilledPart& filled, const Directions& directions, double degrees);
+
 /// Heights over the plane, along d, where the line through the plane's point (x, y) leaves the mesh,
 /// ascending.
 std::vector<double> crossings(const IndexedMesh& mesh, const Eigen::Vector2d& foot, const Eigen::Vector3d& d);
