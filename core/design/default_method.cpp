@@ -28,6 +28,7 @@ constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps,
 constexpr double kLimbVolume = 0.75; ///< share of its volume
 constexpr double kNearlyKept = 0.15; ///< missing shares, summed, that more detail may well bring back
 constexpr double kMuchLost = 0.25;   ///< missing shares, summed, from which filling is tried beside bending
+constexpr double kHopeless = 1;      ///< missing shares, summed, that no finer stand-in brings back
 
 /// By how much limbs fell short of what they are to keep, summed; 0: all kept.
 double limbsLost(const DesignResult& result) {
@@ -159,6 +160,9 @@ void fillWhereWanted(const PinnedShape& part, const MoldStates& states, Tries& t
     const Task task = run.task().part(0.95, 1);
     const auto tryFilling = [&](FillExtent extent) {
         tryQuickly({part.shape.get(), state, extent, Means::QuickProxy, part.pins}, tries, task, run);
+        // Filling all takes a moment; what is far from ending well is not bent again and again before that.
+        if (tries.castable() && limbsLost(*tries.best) > kHopeless)
+            tries.again.clear();
         tryAgain(tries, task, run);
     };
     if (!tries.first && !run.stopped())
