@@ -5,8 +5,10 @@
 #include "pins/collapsing_axis.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
-#include <queue>
+#include <utility>
+#include <vector>
 
 namespace moldwright {
 
@@ -34,6 +36,47 @@ Entry entryOf(const CollapsingAxis& axis, int u, int v) {
             axis.age(u) + axis.age(v)};
 }
 
+/// The edges by cost. Collapses leave many entries behind that have aged; they are thrown out together,
+/// whenever the queue has doubled: taken one by one from the top they would cost more than all else.
+class Queue {
+public:
+    Queue(const CollapsingAxis& axis, std::vector<Entry> entries) : m_axis(axis), m_heap(std::move(entries)) {
+        std::make_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+        m_limit = 2 * m_heap.size();
+    }
+
+    void push(const Entry& entry) {
+        if (m_heap.size() >= m_limit) {
+            std::erase_if(m_heap, [&](const Entry& e) { return aged(e); });
+            std::make_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+            m_limit = 2 * m_heap.size() + kGrain;
+        }
+        m_heap.push_back(entry);
+        std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+    }
+
+    /// The cheapest entry that has not aged; none when all have gone.
+    std::optional<Entry> pop() {
+        while (!m_heap.empty()) {
+            std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+            const Entry entry = m_heap.back();
+            m_heap.pop_back();
+            if (!aged(entry))
+                return entry;
+        }
+        return std::nullopt;
+    }
+
+private:
+    [[nodiscard]] bool aged(const Entry& e) const {
+        return m_axis.gone(e.u) || m_axis.gone(e.v) || m_axis.age(e.u) + m_axis.age(e.v) != e.age;
+    }
+
+    const CollapsingAxis& m_axis;
+    std::vector<Entry> m_heap;
+    std::size_t m_limit = 0;
+};
+
 /// Down to `count` balls, by cost alone.
 void collapseTo(int count, CollapsingAxis& axis, const std::vector<std::array<int, 2>>& edges,
                 const Task& task) {
@@ -42,14 +85,13 @@ void collapseTo(int count, CollapsingAxis& axis, const std::vector<std::array<in
         for (std::size_t e = begin; e < end; ++e)
             first[e] = entryOf(axis, edges[e][0], edges[e][1]);
     });
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue(std::greater<>(), std::move(first));
+    Queue queue(axis, std::move(first));
     const int all = axis.ballCount();
-    while (axis.ballCount() > count && !queue.empty()) {
-        const auto [cost, u, v, age] = queue.top();
-        queue.pop();
-        if (axis.gone(u) || axis.gone(v) || axis.age(u) + axis.age(v) != age)
-            continue;
-        const int merged = axis.collapse(u, v, axis.collapseOf(u, v).ball);
+    while (axis.ballCount() > count) {
+        const std::optional<Entry> next = queue.pop();
+        if (!next)
+            break;
+        const int merged = axis.collapse(next->u, next->v, axis.collapseOf(next->u, next->v).ball);
         for (const int w : axis.neighbours(merged))
             queue.push(entryOf(axis, merged, w));
         if (const int done = all - axis.ballCount(); done % kAskEvery == 0) {
