@@ -127,7 +127,7 @@ Result<DesignResult> fillWholly(const Attempt& attempt, const ShapeGoal& goal, c
     if (!part)
         return std::unexpected(part.error());
     // Clean-up alone is quickest; where it makes something cross, motion comes first.
-    BentShape asItIs{surfaceAt(*part, part->surface.mesh.V)};
+    BentShape asItIs{surfaceAt(*part, part->surface.mesh.V), 0, false, part->pins};
     Result<DesignResult> result = finishAndProve(*part, asItIs, goal, task, run);
     asItIs.followed = true;
     return result && !result->castable && !task.stopped() ? finishAndProve(*part, asItIs, goal, task, run)
