@@ -5,6 +5,7 @@
 #include "castability/directions.h"
 #include "cli/load_part.h"
 #include "cli/state_options.h"
+#include "design/filling.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,7 +18,8 @@ namespace {
 struct AnalyzeOptions {
     std::string input;
     StateOptions state;
-    double maxTilt = 30;
+    LimitOptions limits;
+    bool regions = false;
 };
 
 Json jsonOf(const DraftAnalysis& analysis, const MoldState& state) {
@@ -43,6 +45,29 @@ Json jsonOf(const DraftAnalysis& analysis, const MoldState& state) {
     return json;
 }
 
+/// What could be filled there, region by region: told, and added to the JSON.
+Result<void> addRegions(Json& json, const IndexedMesh& part, const MoldState& state, const Session& session) {
+    const Result<std::vector<FillableUndercut>> regions = fillableUndercuts(part, state, session.task());
+    if (!regions)
+        return std::unexpected(regions.error());
+    json["regions"] = Json::array();
+    for (const FillableUndercut& region : *regions) {
+        json["regions"].push_back({{"side", region.side},
+                                   {"place", cli::jsonOf(region.place)},
+                                   {"size", region.size},
+                                   {"volume", region.volume},
+                                   {"needed", region.needed},
+                                   {"joins", region.joins},
+                                   {"faces", region.faces.size()}});
+        const Eigen::Vector3d& p = region.place;
+        session.out() << "Region at " << readable(p.x()) << ' ' << readable(p.y()) << ' ' << readable(p.z())
+                      << ": " << readable(region.volume / 1000, 3) << " cm³ to fill"
+                      << (region.needed ? ", bending cannot free it" : "")
+                      << (region.joins ? ", joins pieces that are apart" : "") << ".\n";
+    }
+    return {};
+}
+
 Result<ExitCode> analyze(const AnalyzeOptions& options, const Session& session) {
     const Result<std::optional<PartingPlane>> plane = options.state.givenPlane();
     if (!plane)
@@ -50,17 +75,27 @@ Result<ExitCode> analyze(const AnalyzeOptions& options, const Session& session) 
     const Result<std::optional<Directions>> directions = options.state.givenDirections(*plane);
     if (!directions)
         return std::unexpected(directions.error());
+    const Result<DirectionLimits> limits = options.limits.limits();
+    if (!limits)
+        return std::unexpected(limits.error());
+    if (!*directions && !allows(*limits, (*plane)->normal))
+        return failure(ErrorCode::Usage, MW_TEXT("cli", "The plane lies too far from square to --axis: no "
+                                                        "direction keeps to --max-tilt and --cone."));
     const Result<IndexedMesh> part = loadPart(options.input, session);
     if (!part)
         return std::unexpected(part.error());
     const double draft = options.state.draft;
-    const MoldState state{**plane, *directions ? **directions
-                                               : bestDirections(*part, **plane, draft, options.maxTilt)};
+    const MoldState state{**plane,
+                          *directions ? **directions : bestDirections(*part, **plane, draft, *limits)};
     const DraftAnalysis analysis = analyzeDraft(*part, state, draft);
+    Json json = jsonOf(analysis, state);
     session.out() << readable(100 * analysis.violatingAreaFraction, 3) << " % of the surface below "
                   << readable(draft) << "°, worst draft " << readable(analysis.worstDraftDegrees, 3) << "°, "
                   << analysis.undercuts.size() << " undercuts.\n";
-    if (const Result<void> written = session.writeJson(jsonOf(analysis, state)); !written)
+    if (options.regions)
+        if (const Result<void> added = addRegions(json, *part, state, session); !added)
+            return std::unexpected(added.error());
+    if (const Result<void> written = session.writeJson(json); !written)
         return std::unexpected(written.error());
     return analysis.castable() ? ExitCode::Yes : ExitCode::No;
 }
@@ -73,15 +108,16 @@ Command analyzeCommand() {
             "draft, 1 that\n"
             "some do not. The JSON holds energy, castable, violating_area_fraction, worst_draft_deg, "
             "undercuts[] (side,\n"
-            "area in mm², depth in mm, place, faces) and draft_histogram[].",
+            "area in mm², depth in mm, place, faces) and draft_histogram[]. With --regions also regions[] "
+            "(side, place,\n"
+            "size, volume in mm³, needed, joins, faces): give a place to design --fill-at or --bend-at.",
             [](CLI::App& app) -> Action {
                 const auto options = std::make_shared<AnalyzeOptions>();
                 app.add_option("IN", options->input, "Mesh file")->required();
                 options->state.declare(app, true);
-                app.add_option("--max-tilt", options->maxTilt,
-                               "Largest angle of an optimised direction to the normal")
-                    ->check(CLI::Range(0.0, 80.0))
-                    ->capture_default_str();
+                options->limits.declare(app);
+                app.add_flag("--regions", options->regions,
+                             "Also list the regions that can be filled one by one");
                 return [options](const Session& session) { return analyze(*options, session); };
             }};
 }

@@ -37,7 +37,9 @@ struct DesignOptions {
     bool merge = false;
     std::string method = "default";
     SizeOptions size;
-    double maxTilt = 30;
+    LimitOptions limits;
+    std::vector<double> fillAt; ///< three numbers a place
+    std::vector<double> bendAt;
     bool mold = false;
     bool report = false;
     MoldSettings block;
@@ -78,6 +80,17 @@ Result<void> takeGuides(const DesignOptions& options, DesignRequest& request) {
     return {};
 }
 
+std::vector<UndercutChoice> undercutChoices(const DesignOptions& options) {
+    std::vector<UndercutChoice> choices;
+    const auto add = [&](const std::vector<double>& numbers, UndercutChoice::Treatment treatment) {
+        for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+            choices.push_back({{numbers[i], numbers[i + 1], numbers[i + 2]}, treatment});
+    };
+    add(options.fillAt, UndercutChoice::Treatment::Fill);
+    add(options.bendAt, UndercutChoice::Treatment::Bend);
+    return choices;
+}
+
 Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, const Session& session) {
     DesignRequest request;
     request.part = std::move(part);
@@ -97,7 +110,11 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
     if (const Result<void> guides = takeGuides(options, request); !guides)
         return std::unexpected(guides.error());
     request.draftDegrees = options.state.draft;
-    request.maxTiltDegrees = options.maxTilt;
+    const Result<DirectionLimits> limits = options.limits.limits();
+    if (!limits)
+        return std::unexpected(limits.error());
+    request.limits = *limits;
+    request.undercuts = undercutChoices(options);
     request.method = options.method == "paper" ? DeformationMethod::Paper : DeformationMethod::Default;
     request.fill = options.fill == "auto" ? FillChoice::Auto : FillChoice::None;
     request.mergePieces = options.merge;
@@ -109,8 +126,8 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
 Project projectOf(const DesignOptions& options, const IndexedMesh& source, const Placement& placement,
                   const DesignRequest& request, const DesignResult& result) {
     Project project;
-    project.design = {request.draftDegrees, request.maxTiltDegrees, request.directionsChoice,
-                      request.method,       request.fill,           request.seed};
+    project.design = {request.draftDegrees, request.limits, request.directionsChoice,
+                      request.method,       request.fill,   request.seed};
     project.mold = options.block;
     const std::filesystem::path file(options.input);
     project = withPart(std::move(project), file.stem().string(), file.filename().string(),
@@ -118,6 +135,7 @@ Project projectOf(const DesignOptions& options, const IndexedMesh& source, const
     project.pins = request.pins;
     project.faceWeights = request.faceWeights;
     project = withState(std::move(project), result.state, request.plane.has_value());
+    project.undercuts = request.undercuts;
     return result.castable ? withCast(std::move(project), result, request.draftDegrees) : project;
 }
 
@@ -232,9 +250,7 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     app.add_option("--directions", o.directions, "auto or normal; --d1 and --d2 fix them")
         ->check(CLI::IsMember({"auto", "normal"}))
         ->capture_default_str();
-    app.add_option("--max-tilt", o.maxTilt, "Largest angle of a direction to the plane's normal, degrees")
-        ->check(CLI::Range(0.0, 80.0))
-        ->capture_default_str();
+    o.limits.declare(app);
     app.add_option("--method", o.method, "default, or paper: the published method as described")
         ->check(CLI::IsMember({"default", "paper"}))
         ->capture_default_str();
@@ -244,6 +260,11 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     app.add_option("--fill", o.fill, "auto: what no bending frees is filled; none: it is named")
         ->check(CLI::IsMember({"auto", "none"}))
         ->capture_default_str();
+    const auto placeOption = [&](const char* name, std::vector<double>& places, const char* help) {
+        app.add_option(name, places, help)->type_size(3)->type_name("X Y Z")->expected(1, -1);
+    };
+    placeOption("--fill-at", o.fillAt, "Fill the undercut here, whatever --fill says; may be repeated");
+    placeOption("--bend-at", o.bendAt, "Leave the undercut here to bending, whatever --fill says");
     app.add_flag("--merge", o.merge, "Filling may join pieces of the part that are apart");
     o.size.declare(app);
     app.add_flag("--mold", o.mold, "Also build, prove and write the mold halves");

@@ -40,9 +40,12 @@ Json jsonOf(const Remedy& remedy, double partVolume) {
     case Remedy::Kind::Merge:
         json["volume"] = remedy.volume;
         json["volume_fraction"] = remedy.volume / partVolume;
+        json["fill_at"] = Json::array();
+        for (const Eigen::Vector3d& place : remedy.places)
+            json["fill_at"].push_back(cli::jsonOf(place));
         break;
     case Remedy::Kind::Pin:
-        json["point"] = cli::jsonOf(remedy.point);
+        json["point"] = cli::jsonOf(remedy.places.front());
         break;
     }
     return json;

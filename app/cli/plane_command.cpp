@@ -16,6 +16,7 @@ namespace {
 struct PlaneOptions {
     std::string input;
     PlaneSearch search;
+    LimitOptions limits;
 };
 
 Json jsonOf(const PlaneCandidate& c) {
@@ -32,6 +33,10 @@ Result<ExitCode> findBest(PlaneOptions options, const Session& session) {
     const Result<IndexedMesh> part = loadPart(options.input, session);
     if (!part)
         return std::unexpected(part.error());
+    const Result<DirectionLimits> limits = options.limits.limits();
+    if (!limits)
+        return std::unexpected(limits.error());
+    options.search.limits = *limits;
     options.search.seed = session.seed();
     const std::vector<PlaneCandidate> planes = findPlanes(*part, options.search, session.task());
     if (session.task().stopped())
@@ -70,10 +75,7 @@ Command planeCommand() {
                 app.add_option("--draft", options->search.draftDegrees, "Draft angle, degrees")
                     ->check(CLI::Range(0.0, 45.0))
                     ->capture_default_str();
-                app.add_option("--max-tilt", options->search.maxTiltDegrees,
-                               "Largest angle of a direction to the plane's normal, degrees")
-                    ->check(CLI::Range(0.0, 80.0))
-                    ->capture_default_str();
+                options->limits.declare(app);
                 return [options](const Session& session) { return findBest(*options, session); };
             }};
 }

@@ -91,6 +91,31 @@ Result<MoldState> StateOptions::moldState() const {
     return MoldState{**given, *directions ? **directions : Directions::normalTo(**given)};
 }
 
+void LimitOptions::declare(CLI::App& app) {
+    app.add_option("--max-tilt", maxTilt, "Largest angle of a direction to the plane's normal, degrees")
+        ->check(CLI::Range(0.0, 80.0))
+        ->capture_default_str();
+    CLI::Option* option =
+        app.add_option("--axis", axis, "Axis that both directions keep to, whichever way round")
+            ->type_name("X Y Z")
+            ->expected(3);
+    app.add_option("--cone", cone, "Largest angle of a direction to the axis, degrees")
+        ->check(CLI::Range(0.0, 80.0))
+        ->capture_default_str()
+        ->needs(option);
+}
+
+Result<DirectionLimits> LimitOptions::limits() const {
+    DirectionLimits limits{maxTilt, {}, cone};
+    if (axis.empty())
+        return limits;
+    const Eigen::Vector3d given(axis[0], axis[1], axis[2]);
+    if (!(given.norm() > 0) || !given.allFinite())
+        return failure(ErrorCode::Usage, MW_TEXT("cli", "--axis takes three numbers that are not all zero."));
+    limits.axis = given.normalized();
+    return limits;
+}
+
 Json jsonOf(const PartingPlane& plane) {
     return {plane.normal.x(), plane.normal.y(), plane.normal.z(), plane.offset};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "castability/direction_limits.h"
 #include "castability/mold_state.h"
 #include "cli/json.h"
 
@@ -37,6 +38,19 @@ struct StateOptions {
     /// Plane and directions together; directions that are not given are normal to the plane. Errors: Usage
     /// (no plane too).
     [[nodiscard]] Result<MoldState> moldState() const;
+};
+
+/// Options that say where removal directions may point.
+struct LimitOptions {
+    double maxTilt = 30;
+    std::vector<double> axis; ///< three numbers, or none
+    double cone = 0;
+
+    /// Declares --max-tilt, --axis and --cone on `app`.
+    void declare(CLI::App& app);
+
+    /// Errors: Usage (an axis of length zero).
+    [[nodiscard]] Result<DirectionLimits> limits() const;
 };
 
 /// A plane as [nx, ny, nz, o].

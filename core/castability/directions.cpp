@@ -87,13 +87,12 @@ private:
     Eigen::Matrix<double, 3, 2> m_tangents;
 };
 
-Eigen::Vector3d bestOfSide(const SideFaces& faces, const Eigen::Vector3d& axis, double tau,
-                           double maxTiltDegrees) {
-    const double reach = std::tan(radians(maxTiltDegrees));
-    const Disc disc(faces, axis, tau);
+Eigen::Vector3d bestOfSide(const SideFaces& faces, const DirectionCap& cap, double tau) {
+    const double reach = std::tan(radians(cap.radiusDegrees));
+    const Disc disc(faces, cap.middle, tau);
     Eigen::Vector2d u = Eigen::Vector2d::Zero();
     Disc::Value now = disc.at(u);
-    const double atNormal = now.energy;
+    const double atMiddle = now.energy;
     for (int step = 0; step < kSteps && now.energy > 0 && reach > 0; ++step) {
         const Eigen::Vector2d way = leastInDisc(u, now.gradient, now.hessian, reach) - u;
         const double slope = now.gradient.dot(way);
@@ -111,8 +110,8 @@ Eigen::Vector3d bestOfSide(const SideFaces& faces, const Eigen::Vector3d& axis, 
         if (gain <= kSettled * now.energy)
             break;
     }
-    // The normal itself is the natural choice: leave it only for a real gain.
-    return now.energy < atNormal * (1 - kRealGain) ? disc.direction(u) : axis;
+    // The middle itself is the natural choice: leave it only for a real gain.
+    return now.energy < atMiddle * (1 - kRealGain) ? disc.direction(u) : cap.middle;
 }
 
 /// Areas of eight faces on both sides of a plane.
@@ -218,15 +217,15 @@ SideFaces::Energy SideFaces::energy(const Eigen::Vector3d& d, double tau) const 
 }
 
 Directions bestDirections(const IndexedMesh& mesh, const PartingPlane& plane, double draftDegrees,
-                          double maxTiltDegrees) {
+                          const DirectionLimits& limits) {
     const double tau = std::sin(radians(draftDegrees));
     const PartedFaces parted = partFaces(mesh, plane);
     Directions best;
     parallelFor(2, 1, [&](std::size_t i, std::size_t) {
         if (i == 0)
-            best.d1 = bestOfSide(parted.side1, plane.normal, tau, maxTiltDegrees);
+            best.d1 = bestOfSide(parted.side1, *capWithin(limits, plane.normal, 1), tau);
         else
-            best.d2 = bestOfSide(parted.side2, -plane.normal, tau, maxTiltDegrees);
+            best.d2 = bestOfSide(parted.side2, *capWithin(limits, plane.normal, 2), tau);
     });
     return best;
 }

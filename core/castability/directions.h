@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/direction_limits.h"
 #include "castability/face_arrays.h"
 #include "castability/mold_state.h"
 
@@ -37,9 +38,10 @@ struct PartedFaces {
 };
 [[nodiscard]] PartedFaces partFaces(const IndexedMesh& mesh, const PartingPlane& plane);
 
-/// Directions of least energy for a given plane, no further than the tilt cap from its normal: Newton's
-/// method for d ∝ n + T·u in the disc |u| ≤ tan(tilt cap). [Stein 2019], Section 5.1.
+/// Directions of least energy for a given plane, each in the cap that the limits leave it: Newton's method
+/// for d ∝ m + T·u in the disc |u| ≤ tan(cap's radius), m the cap's middle. [Stein 2019], Section 5.1.
+/// Precondition: the limits allow directions at the plane.
 [[nodiscard]] Directions bestDirections(const IndexedMesh& mesh, const PartingPlane& plane,
-                                        double draftDegrees, double maxTiltDegrees);
+                                        double draftDegrees, const DirectionLimits& limits);
 
 } // namespace moldwright

@@ -27,6 +27,7 @@ constexpr int kSpareStarts = 12;        ///< refined beside the planes asked for
 constexpr int kRefineSteps = 30;
 constexpr int kPolished = 8; ///< best candidates that are refined on the mesh itself
 constexpr int kPolishSteps = 12;
+constexpr double kLargestLean = 89; ///< degrees, of a normal against the axis of a press
 
 /// A candidate on the way: in the frame of the scaled mesh.
 struct Trial {
@@ -72,27 +73,49 @@ std::pair<double, double> span(const Points& V, const Eigen::Vector3d& direction
     return {heights.minCoeff(), heights.maxCoeff()};
 }
 
-/// The plane square to `normal` at a share of the way through the points.
-Trial trialAt(const Points& V, const Eigen::Vector3d& normal, double share) {
-    const auto [low, high] = span(V, normal);
-    const PartingPlane plane{normal, low + (high - low) * share};
-    return {{plane, Directions::normalTo(plane)}, high - low, 0};
+/// What limits the directions of a search: along the normal they do not tilt.
+DirectionLimits limitsOf(const PlaneSearch& wanted) {
+    DirectionLimits limits = wanted.limits;
+    if (wanted.normalDirections)
+        limits.maxTiltDegrees = 0;
+    return limits;
 }
 
-std::vector<Trial> samplePlanes(const Points& V, int count, unsigned seed) {
-    std::mt19937 random(seed);
+/// The plane square to `normal` at a share of the way through the points.
+Trial trialAt(const Points& V, const Eigen::Vector3d& normal, double share, const DirectionLimits& limits) {
+    const auto [low, high] = span(V, normal);
+    const MoldState state{{normal, low + (high - low) * share}, middleDirections(limits, normal)};
+    return {state, high - low, 0};
+}
+
+/// A normal by two numbers in 0 … 1, any that allows directions as likely as any other.
+Eigen::Vector3d normalAt(double share, double turn, const DirectionLimits& limits) {
+    const double most =
+        limits.axis ? std::min(limits.maxTiltDegrees + limits.coneDegrees, kLargestLean) : 180.0;
+    const double lowest = std::cos(radians(most));
+    const double z = lowest + (1 - lowest) * share;
+    const double angle = 2 * std::numbers::pi * turn;
+    const double r = std::sqrt(std::max(0.0, 1 - z * z));
+    const Eigen::Vector3d normal(r * std::cos(angle), r * std::sin(angle), z);
+    return limits.axis ? Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), *limits.axis) * normal
+                       : normal;
+}
+
+std::vector<Trial> samplePlanes(const Points& V, const PlaneSearch& wanted) {
+    std::mt19937 random(wanted.seed);
+    const DirectionLimits limits = limitsOf(wanted);
     // Plain arithmetic on the generator's words: the library's distributions differ between platforms.
     const auto uniform = [&] { return (random() + 0.5) / 4294967296.0; };
     std::vector<Trial> trials;
     // Made parts stand square to their axes, and their seams are often near an end.
     for (int axis = 0; axis < 3; ++axis)
-        for (int step = 1; step < kAxisSteps; ++step)
-            trials.push_back(trialAt(V, Eigen::Vector3d::Unit(axis), static_cast<double>(step) / kAxisSteps));
-    while (static_cast<int>(trials.size()) < count) {
-        const double z = 2 * uniform() - 1;
-        const double angle = 2 * std::numbers::pi * uniform();
-        const double r = std::sqrt(1 - z * z);
-        trials.push_back(trialAt(V, {r * std::cos(angle), r * std::sin(angle), z}, 0.1 + 0.8 * uniform()));
+        for (int step = 1; step < kAxisSteps && allows(limits, Eigen::Vector3d::Unit(axis)); ++step)
+            trials.push_back(
+                trialAt(V, Eigen::Vector3d::Unit(axis), static_cast<double>(step) / kAxisSteps, limits));
+    while (static_cast<int>(trials.size()) < wanted.samples) {
+        const double share = uniform();
+        const double turn = uniform();
+        trials.push_back(trialAt(V, normalAt(share, turn, limits), 0.1 + 0.8 * uniform(), limits));
     }
     return trials;
 }
@@ -128,7 +151,11 @@ std::vector<std::size_t> bestDistinct(const std::vector<Trial>& trials, int coun
 
 /// Energy times one-sidedness from a start downhill.
 Trial refine(const Surface& surface, const Trial& start, const PlaneSearch& wanted, int steps) {
-    const StateCoordinates coordinates(start.state, wanted.maxTiltDegrees, wanted.normalDirections);
+    const DirectionLimits limits = limitsOf(wanted);
+    const DirectionsFollow follow = wanted.normalDirections ? DirectionsFollow::Normal
+                                    : limits.axis           ? DirectionsFollow::Held
+                                                            : DirectionsFollow::Freely;
+    const StateCoordinates coordinates(start.state, limits.maxTiltDegrees, follow);
     const double tau = std::sin(radians(wanted.draftDegrees));
     const Objective objective = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
         const MoldState state = coordinates.state(x);
@@ -148,7 +175,11 @@ Trial refine(const Surface& surface, const Trial& start, const PlaneSearch& want
     options.iterations = steps;
     options.relativeDecrease = 1e-3;
     const Minimum best = minimize(objective, coordinates.origin(), options);
-    const MoldState state = coordinates.state(best.x);
+    MoldState state = coordinates.state(best.x);
+    if (!allows(limits, state.plane.normal))
+        return start;
+    if (follow == DirectionsFollow::Held)
+        state.directions = bestDirections(surface.shape, state.plane, wanted.draftDegrees, limits);
     const auto [low, high] = span(surface.shape.V, state.plane.normal);
     return {state, high - low, best.value};
 }
@@ -175,10 +206,7 @@ std::vector<Trial> chosenOf(const std::vector<Trial>& trials, const std::vector<
 }
 
 Trial flatBackTrial(const Surface& surface, const PartingPlane& plane, const PlaneSearch& wanted) {
-    Trial trial{{plane, Directions::normalTo(plane)}, 0, 0};
-    if (!wanted.normalDirections)
-        trial.state.directions =
-            bestDirections(surface.shape, plane, wanted.draftDegrees, wanted.maxTiltDegrees);
+    Trial trial{{plane, bestDirections(surface.shape, plane, wanted.draftDegrees, limitsOf(wanted))}, 0, 0};
     const auto [low, high] = span(surface.shape.V, plane.normal);
     trial.extent = high - low;
     return trial;
@@ -195,14 +223,15 @@ std::vector<PlaneCandidate> findPlanes(const IndexedMesh& mesh, const PlaneSearc
     const Surface proxy(cluster(full.shape, kProxyFaces));
 
     task.progress(0, "plane");
-    std::vector<Trial> trials = samplePlanes(proxy.shape.V, wanted.samples, wanted.seed);
+    std::vector<Trial> trials = samplePlanes(proxy.shape.V, wanted);
     (void)scoreAll(proxy, trials, tau);
     trials = chosenOf(trials, bestDistinct(trials, wanted.count + kSpareStarts));
     std::vector<std::size_t> all(trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     addRefined(proxy, all, kRefineSteps, wanted, task.part(0, 0.6), trials);
     for (const PartingPlane& plane : flatBackPlanes(full.shape))
-        trials.push_back(flatBackTrial(full, plane, wanted));
+        if (allows(limitsOf(wanted), plane.normal))
+            trials.push_back(flatBackTrial(full, plane, wanted));
     (void)scoreAll(full, trials, tau);
     addRefined(full, bestDistinct(trials, std::min(wanted.count, kPolished)), kPolishSteps, wanted,
                task.part(0.6, 1), trials);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/task.h"
+#include "castability/direction_limits.h"
 #include "castability/mold_state.h"
 #include "mesh/indexed_mesh.h"
 
@@ -14,7 +15,7 @@ struct PlaneSearch {
     int count = 6;      ///< K distinct planes asked for
     int samples = 1000; ///< random planes tried before local refinement
     double draftDegrees = 1;
-    double maxTiltDegrees = 30;
+    DirectionLimits limits;        ///< only planes that allow directions are looked at
     bool normalDirections = false; ///< keep d1 = n, d2 = −n
     unsigned seed = 1;
 };
@@ -30,7 +31,8 @@ struct PlaneCandidate {
 
 /// The best distinct parting planes of a closed mesh, best first: random sampling and local refinement of
 /// plane and directions by L-BFGS on Eq. (2), both on a coarse copy; then ranked on the mesh itself. Flat
-/// backs are always among those looked at. [Stein 2019], Section 6.3. Deterministic for a given seed.
+/// backs are always among those looked at, where the limits allow directions there. [Stein 2019],
+/// Section 6.3. Deterministic for a given seed.
 [[nodiscard]] std::vector<PlaneCandidate> findPlanes(const IndexedMesh& mesh, const PlaneSearch& search,
                                                      const Task& task = {});
 

@@ -12,15 +12,16 @@ constexpr double kRim = 0.98;
 
 } // namespace
 
-StateCoordinates::StateCoordinates(const MoldState& start, double maxTiltDegrees, bool normalDirections)
-    : m_start(start), m_normalDirections(normalDirections), m_reach(std::tan(radians(maxTiltDegrees))) {
+StateCoordinates::StateCoordinates(const MoldState& start, double maxTiltDegrees, DirectionsFollow follow)
+    : m_start(start), m_follow(follow), m_reach(std::tan(radians(maxTiltDegrees))) {
     const auto [x, y] = planeAxes(start.plane.normal);
     m_tangents << x, y;
 }
 
 Eigen::VectorXd StateCoordinates::origin() const {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(m_normalDirections ? 3 : 7);
-    if (!m_normalDirections)
+    const bool freely = m_follow == DirectionsFollow::Freely;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(freely ? 7 : 3);
+    if (freely)
         x.tail<4>() << numbersOf(m_start.directions.d1), numbersOf(-m_start.directions.d2);
     return x;
 }
@@ -40,8 +41,8 @@ MoldState StateCoordinates::state(const Eigen::VectorXd& x) const {
     MoldState s;
     s.plane.normal = (m_start.plane.normal + m_tangents * x.head<2>()).normalized();
     s.plane.offset = m_start.plane.offset + x[2];
-    s.directions = Directions::normalTo(s.plane);
-    if (!m_normalDirections) {
+    s.directions = m_follow == DirectionsFollow::Held ? m_start.directions : Directions::normalTo(s.plane);
+    if (m_follow == DirectionsFollow::Freely) {
         s.directions.d1 = leaning(s.plane.normal, x.segment<2>(3)).normalized();
         s.directions.d2 = -leaning(s.plane.normal, x.segment<2>(5)).normalized();
     }
@@ -55,9 +56,9 @@ void StateCoordinates::pullBack(const Eigen::VectorXd& x, const StateGradient& g
     Eigen::Vector3d gNormal = g.normal;
     gradient.resize(x.size());
     gradient[2] = g.offset;
-    if (m_normalDirections) {
+    if (m_follow == DirectionsFollow::Normal) {
         gNormal += g.d1 - g.d2;
-    } else {
+    } else if (m_follow == DirectionsFollow::Freely) {
         gNormal += pullBackLeaning(n, x.segment<2>(3), g.d1, gradient.segment<2>(3));
         gNormal += pullBackLeaning(n, x.segment<2>(5), -g.d2, gradient.segment<2>(5));
     }

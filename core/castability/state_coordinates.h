@@ -6,13 +6,20 @@
 
 namespace moldwright {
 
-/// Plane and directions as free numbers x: two tilts of a start's normal, the offset's change, two a
-/// direction. Every x is allowed: d = normalize(n + r(c)·P·T·c) with P the projection along n, r(c) =
-/// tan(tilt cap)/√(1+|c|²), so that d·n > 0 and the cap hold by construction.
+/// How directions follow a plane that moves.
+enum class DirectionsFollow {
+    Freely, ///< they have numbers of their own
+    Normal, ///< d1 = n, d2 = −n
+    Held    ///< they stay as they are at the start
+};
+
+/// Plane and directions as free numbers x: two tilts of a start's normal, the offset's change, and where
+/// directions move freely two for each. Every x is allowed: d = normalize(n + r(c)·P·T·c) with P the
+/// projection along n, r(c) = tan(tilt cap)/√(1+|c|²), so that d·n > 0 and the cap hold by construction.
 class StateCoordinates {
 public:
-    /// `normalDirections`: d1 = n, d2 = −n always, so that x has three numbers instead of seven.
-    StateCoordinates(const MoldState& start, double maxTiltDegrees, bool normalDirections);
+    /// The tilt cap counts where directions move freely.
+    StateCoordinates(const MoldState& start, double maxTiltDegrees, DirectionsFollow follow);
 
     /// The start's own numbers; directions outside the cap are brought to its rim.
     [[nodiscard]] Eigen::VectorXd origin() const;
@@ -27,7 +34,7 @@ private:
                                     const Eigen::Vector3d& g, Eigen::Ref<Eigen::VectorXd> gradientC) const;
 
     MoldState m_start;
-    bool m_normalDirections;
+    DirectionsFollow m_follow;
     double m_reach; ///< tan of the tilt cap
     Eigen::Matrix<double, 3, 2> m_tangents;
 };

@@ -98,8 +98,7 @@ Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& ben
 Result<PartedPart> unlessJoined(Result<PartedPart> part, const Attempt& attempt, const DesignRun& run) {
     if (part)
         part->before = beforePinning(*part, *attempt.shape, *run.request().part);
-    if (part && !run.request().mergePieces &&
-        connectedComponents(part->surface.mesh).count < connectedComponents(*attempt.shape).count)
+    if (part && part->joinsPieces && !run.request().mergePieces)
         return failure(ErrorCode::Impossible,
                        MW_TEXT("design",
                                "Filling would join pieces of the part that are apart. Allow it, take "
@@ -170,7 +169,7 @@ Result<DesignResult> bendWhole(const Attempt& attempt, const PartedPart& part, c
 
 Result<DesignResult> tryAttempt(const Attempt& attempt, const Task& task, DesignRun& run) {
     const ShapeGoal goal = goalOf(attempt, run);
-    if (attempt.fill == FillExtent::All)
+    if (attempt.fill && attempt.fill->extent == FillExtent::All && !bendsAny(attempt.fill->choices))
         if (Result<DesignResult> result = fillWholly(attempt, goal, task, run);
             (result && result->castable) || task.stopped())
             return result;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "design/design_run.h"
-#include "design/parting.h"
+#include "design/filling.h"
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@ enum class Means { QuickProxy, FineProxy, Itself };
 struct Attempt {
     const IndexedMesh* shape;
     MoldState state;
-    std::optional<FillExtent> fill;
+    std::optional<Filling> fill;
     Means means = Means::QuickProxy;
     std::vector<PlacedPin> pins{}; ///< of shape, part frame
 };

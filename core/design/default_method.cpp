@@ -4,7 +4,6 @@
 #include "design/attempt.h"
 #include "design/mold_states.h"
 #include "design/paper_method.h"
-#include "design/parting.h"
 #include "design/pinned_planes.h"
 #include "design/remedies.h"
 #include "design/stopwatch.h"
@@ -136,6 +135,12 @@ struct PinnedShape {
     std::vector<PlacedPin> pins; ///< part frame
 };
 
+/// What the designer chose to fill is filled whether or not the rest can be bent.
+std::optional<Filling> chosenFilling(const DesignRun& run) {
+    const std::vector<UndercutChoice>& choices = run.request().undercuts;
+    return fillsAny(choices) ? std::optional(Filling{FillExtent::Chosen, choices}) : std::nullopt;
+}
+
 Tries tryStates(const PinnedShape& part, MoldStates& states, DesignRun& run) {
     Tries tries;
     const double share = 0.7 / kPlanesTried;
@@ -147,7 +152,7 @@ Tries tryStates(const PinnedShape& part, MoldStates& states, DesignRun& run) {
             break;
         tries.first = tries.first ? tries.first : state;
         const double from = 0.1 + static_cast<double>(i) * share;
-        tryQuickly({part.shape.get(), *state, {}, Means::QuickProxy, part.pins}, tries,
+        tryQuickly({part.shape.get(), *state, chosenFilling(run), Means::QuickProxy, part.pins}, tries,
                    run.task().part(from, from + share), run);
     }
     tryAgain(tries, run.task().part(0.8, 0.95), run);
@@ -159,7 +164,9 @@ void fillWhereWanted(const PinnedShape& part, const MoldStates& states, Tries& t
     const MoldState state = tries.first.value_or(states.best());
     const Task task = run.task().part(0.95, 1);
     const auto tryFilling = [&](FillExtent extent) {
-        tryQuickly({part.shape.get(), state, extent, Means::QuickProxy, part.pins}, tries, task, run);
+        tryQuickly(
+            {part.shape.get(), state, Filling{extent, run.request().undercuts}, Means::QuickProxy, part.pins},
+            tries, task, run);
         // Filling all takes a moment; what is far from ending well is not bent again and again before that.
         if (tries.castable() && limbsLost(*tries.best) > kHopeless)
             tries.again.clear();
@@ -221,7 +228,7 @@ Result<DesignResult> bendPart(const PinnedShape& pinned, DesignRun& run) {
     Tries tries = tryStates(pinned, *states, run);
     ObstructedPart obstructed;
     if (!tries.first && !run.stopped())
-        obstructed = obstructionsAt(shape, states->best());
+        obstructed = obstructionsAt(shape, states->best(), run.request().undercuts, run.task());
     if (!obstructed.obstructions.empty())
         offerRemedies(obstructed, shape, states->best(), run);
     if (run.request().fill == FillChoice::Auto)

@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "base/task.h"
 #include "castability/certificate.h"
+#include "castability/direction_limits.h"
 #include "castability/mold_state.h"
 #include "design/region_measure.h"
 #include "design/strain.h"
@@ -34,6 +35,15 @@ struct Pin {
     bool operator==(const Pin&) const = default;
 };
 
+/// What the designer wants done about one undercut, whatever the rule for the others is.
+struct UndercutChoice {
+    enum class Treatment { Bend, Fill };
+    Eigen::Vector3d
+        place; ///< mm, part frame: on its surface; the nearest undercut that can be filled is meant
+    Treatment treatment = Treatment::Fill;
+    bool operator==(const UndercutChoice&) const = default;
+};
+
 /// What Algorithm 1 is asked to do.
 struct DesignRequest {
     SharedMesh part;                   ///< closed, usable (see prepare()), mm
@@ -41,14 +51,15 @@ struct DesignRequest {
     DirectionsChoice directionsChoice = DirectionsChoice::Automatic;
     Directions directions; ///< used when Given
     double draftDegrees = 1;
-    double maxTiltDegrees = 30; ///< of each direction against the plane's normal
+    DirectionLimits limits; ///< where directions that are not Given may point
     DeformationMethod method = DeformationMethod::Default;
     std::vector<Pin> pins;
     std::vector<double> faceWeights;       ///< importance per face of `part`, 1 = plain; empty: all plain
     std::vector<KeptRegion> regions;       ///< of `part`: measured in the result
     std::vector<Eigen::Vector3d> limbTips; ///< where limb measures are wanted; empty: found automatically
     FillChoice fill = FillChoice::None;
-    bool mergePieces = false; ///< filling may join pieces of the part that were apart
+    std::vector<UndercutChoice> undercuts; ///< treated as chosen; they need a plane
+    bool mergePieces = false; ///< filling may join pieces that were apart, where no choice says so too
     bool keepUnfinished =
         false; ///< a stopped run returns what it reached, marked cutShort, if it got that far
     unsigned seed = 1;
@@ -74,10 +85,11 @@ using FrameSink = std::function<void(const DesignFrame&)>;
 struct Remedy {
     enum class Kind { Plane, Fill, Merge, Pin };
     Kind kind = Kind::Fill;
-    Message message;                                 ///< what to do and what it takes
-    std::optional<MoldState> state;                  ///< Plane: where nothing is in the way
-    double volume = 0;                               ///< Fill, Merge: what would be filled in, mm³
-    Eigen::Vector3d point = Eigen::Vector3d::Zero(); ///< Pin: to be drawn into the plane, mm, part frame
+    Message message;                          ///< what to do and what it takes
+    std::optional<MoldState> state = {};      ///< Plane: where nothing is in the way
+    double volume = 0;                        ///< Fill, Merge: what would be filled in, mm³
+    std::vector<Eigen::Vector3d> places = {}; ///< mm, part frame. Fill, Merge: on each undercut to be filled;
+                                              ///< Pin: the point to be drawn into the plane
 };
 
 /// A named reason why the shape cannot be cast with these choices, whatever the deformation.

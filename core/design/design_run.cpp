@@ -16,7 +16,7 @@ Directions DesignRun::directionsFor(const IndexedMesh& shape, const PartingPlane
     case DirectionsChoice::Normal:
         return Directions::normalTo(plane);
     default:
-        return bestDirections(shape, plane, m_request.draftDegrees, m_request.maxTiltDegrees);
+        return bestDirections(shape, plane, m_request.draftDegrees, m_request.limits);
     }
 }
 
@@ -24,7 +24,7 @@ PlaneSearch DesignRun::planeSearch(int count) const {
     PlaneSearch search;
     search.count = count;
     search.draftDegrees = m_request.draftDegrees;
-    search.maxTiltDegrees = m_request.maxTiltDegrees;
+    search.limits = m_request.limits;
     search.normalDirections = m_request.directionsChoice == DirectionsChoice::Normal;
     search.seed = m_request.seed;
     return search;

@@ -108,7 +108,7 @@ SideLabels Elastoplastic::sides() const {
 void Elastoplastic::step(const Task& task) {
     if (m_settings.optimizeDirections)
         m_state.directions =
-            bestDirections(shape(), m_state.plane, m_settings.draftDegrees, m_settings.maxTiltDegrees);
+            bestDirections(shape(), m_state.plane, m_settings.draftDegrees, m_settings.limits);
     const Directions directions = m_frame.directionsToWork(m_state.directions);
     const double tau = std::sin(radians(m_settings.draftDegrees));
     for (int i = 0; i < m_settings.iterationsPerStep && !task.stopped(); ++i) {

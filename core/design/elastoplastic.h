@@ -19,7 +19,7 @@ struct ElastoplasticSettings {
     int iterationsPerStep = 15; ///< local-global iterations before a plastic restart
     bool optimizeDirections = true;
     double draftDegrees = 1;
-    double maxTiltDegrees = 30;
+    DirectionLimits limits;
 };
 
 /// The paper's elastoplastic deformation as a thing that steps: each step optimises the directions, runs

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "design/mold_states.h"
 
-#include "design/parting.h"
+#include "design/filling.h"
 #include "design/stopwatch.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ MoldState MoldStates::stateAt(const PlaneCandidate& candidate) const {
 std::optional<MoldState> MoldStates::takeIfPassing(std::size_t i) {
     const MoldState state = stateAt(m_left[i]);
     m_left.erase(m_left.begin() + static_cast<std::ptrdiff_t>(i));
-    if (!planePasses(*m_shape, state))
+    if (!planePasses(*m_shape, state, m_run->request().undercuts, m_run->task()))
         return std::nullopt;
     m_normals.push_back(state.plane.normal);
     return state;

@@ -13,12 +13,6 @@ namespace moldwright {
 
 namespace {
 
-/// To a tenth of a millimetre: a place is to be found, not measured.
-std::string placeText(const Eigen::Vector3d& p) {
-    const auto tenth = [](double x) { return readable(std::round(10 * x) / 10 + 0.0); };
-    return "(" + tenth(p.x()) + ", " + tenth(p.y()) + ", " + tenth(p.z()) + ")";
-}
-
 using Kind = Obstruction::Kind;
 
 Message describe(Kind kind, PieceFault fault, int side, const std::string& place, const std::string& size) {
@@ -110,6 +104,11 @@ Kind kindOf(PieceFault fault) {
 }
 
 } // namespace
+
+std::string placeText(const Eigen::Vector3d& p) {
+    const auto tenth = [](double x) { return readable(std::round(10 * x) / 10 + 0.0); };
+    return "(" + tenth(p.x()) + ", " + tenth(p.y()) + ", " + tenth(p.z()) + ")";
+}
 
 std::vector<Obstruction> findObstructions(const IndexedMesh& parted, const SideLabels& labels,
                                           const WorkingFrame& frame) {

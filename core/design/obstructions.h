@@ -15,4 +15,7 @@ namespace moldwright {
 [[nodiscard]] std::vector<Obstruction> findObstructions(const IndexedMesh& parted, const SideLabels& labels,
                                                         const WorkingFrame& frame);
 
+/// "(1.5, -3, 0)", to a tenth of a millimetre: a place is to be found, not measured.
+[[nodiscard]] std::string placeText(const Eigen::Vector3d& place);
+
 } // namespace moldwright

@@ -20,12 +20,8 @@ Result<MoldState> stateFor(DesignRun& run) {
     if (request.plane)
         return MoldState{*request.plane, run.directionsFor(*request.part, *request.plane)};
     const Stopwatch watch(run.seconds(), "plane");
-    PlaneSearch search;
-    search.count = 1;
-    search.draftDegrees = request.draftDegrees;
-    search.maxTiltDegrees = request.maxTiltDegrees;
-    search.seed = request.seed;
-    const std::vector<PlaneCandidate> planes = findPlanes(*request.part, search, run.task().part(0, 0.1));
+    const std::vector<PlaneCandidate> planes =
+        findPlanes(*request.part, run.planeSearch(1), run.task().part(0, 0.1));
     if (planes.empty())
         return DesignRun::cancelled();
     return planes.front().state;
@@ -94,7 +90,7 @@ Result<Elastoplastic> elastoplasticAt(const MoldState& state, DesignRun& run) {
     const DesignRequest& request = run.request();
     ElastoplasticSettings settings;
     settings.draftDegrees = request.draftDegrees;
-    settings.maxTiltDegrees = request.maxTiltDegrees;
+    settings.limits = request.limits;
     settings.optimizeDirections = request.directionsChoice == DirectionsChoice::Automatic;
     const Stopwatch watch(run.seconds(), "tetrahedralize");
     Result<Elastoplastic> solver =

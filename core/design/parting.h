@@ -9,6 +9,9 @@
 #include "design/working_frame.h"
 #include "mesh/tet_mesh.h"
 
+#include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace moldwright {
@@ -19,6 +22,7 @@ struct PartedPart {
     WorkingFrame frame;
     PartedMesh surface;            ///< working frame
     double filledVolume = 0;       ///< mm³ that filling added
+    bool joinsPieces = false;      ///< filling made one of pieces that were apart, without being told to
     std::vector<PlacedPin> pins{}; ///< working frame, z = 0 exactly; surfacePoint: of `surface`
     IndexedMesh before{}; ///< part frame: the surface as it was before pins; what change is measured from
 };
@@ -38,25 +42,25 @@ struct PartedSolid : PartedPart {
 [[nodiscard]] Result<PartedSolid> partSolid(const IndexedMesh& part, const MoldState& state, const Task& task,
                                             const std::vector<PlacedPin>& pins = {});
 
-/// How much is filled: what the topological certificate asks for, the rest being left to bending, or all that
-/// cannot leave.
-enum class FillExtent { Needed, All };
+/// The part in the working frame with its parting line inserted, ever closer to where it lies: points within
+/// these shares of the shortest edge are snapped to the plane.
+inline constexpr std::array kSnaps = {0.25, 0.1, 0.02, 0.0};
 
-/// The same for the part filled at `state` (see fill_plan.h); the new walls stand along the directions and
-/// still want leaning. surface.sourceFace is −1 on them. Pins that filling buries lie inside. Errors:
-/// Internal, Cancelled; of the solid, Worker too.
-[[nodiscard]] Result<PartedPart> filledSurface(const IndexedMesh& part, const MoldState& state,
-                                               FillExtent extent, const Task& task,
-                                               const std::vector<PlacedPin>& pins = {});
-[[nodiscard]] Result<PartedSolid> filledSolid(const IndexedMesh& part, const MoldState& state,
-                                              FillExtent extent, const Task& task,
-                                              const std::vector<PlacedPin>& pins = {});
+/// What takes a parted surface with its pins (working frame), or refuses it and why.
+using Taking = std::function<std::optional<Error>(const PartedMesh&, const std::vector<PlacedPin>&)>;
 
-/// The part with all filled that cannot leave, the walls leaning by the draft already (see fillWithDraft()):
-/// nothing is left to bend. Errors: Internal, Cancelled.
-[[nodiscard]] Result<PartedPart> filledWithDraft(const IndexedMesh& part, const MoldState& state,
-                                                 double draftDegrees, const Task& task,
-                                                 const std::vector<PlacedPin>& pins = {});
+/// Takes any surface.
+[[nodiscard]] std::optional<Error> takeAny(const PartedMesh&, const std::vector<PlacedPin>&);
+
+/// Takes a surface when TetGen fills it; the tetrahedra go to `tets`.
+[[nodiscard]] Taking takeTetrahedralized(TetMesh& tets, const Task& task);
+
+/// A parted part with the tetrahedra that were made on taking it.
+[[nodiscard]] Result<PartedSolid> solidOf(Result<PartedPart> part, TetMesh tets);
+
+/// Why a parting line was refused that makes the surface cross itself, or that misses a pin.
+[[nodiscard]] Error crossesItself();
+[[nodiscard]] Error missesPin();
 
 /// Whether the topological certificate holds for the part at `state`.
 [[nodiscard]] bool planePasses(const IndexedMesh& part, const MoldState& state);

@@ -2,7 +2,8 @@
 #include "design/remedies.h"
 
 #include "castability/topology.h"
-#include "fill/fill_plan.h"
+#include "design/obstructions.h"
+#include "fill/plan_regions.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
@@ -27,10 +28,6 @@ std::string figure(double x, int decimals) {
     return readable(std::round(unit * x) / unit + 0.0);
 }
 
-std::string placeText(const Eigen::Vector3d& p) {
-    return "(" + figure(p.x(), 1) + ", " + figure(p.y(), 1) + ", " + figure(p.z(), 1) + ")";
-}
-
 /// The quick way to be sure of a plane: without bringing points across it first.
 bool surelyPasses(const IndexedMesh& shape, const MoldState& state) {
     const PartedMesh parted = insertPartingLine(WorkingFrame(shape, state).toWork(shape), 0);
@@ -52,9 +49,7 @@ std::optional<Remedy> movedPlane(const IndexedMesh& shape, const PartingPlane& p
                               {MW_TEXT("design", "Move the plane by {0} mm towards side {1}: nothing is in "
                                                  "the way there."),
                                {figure(std::abs(shift), 1), shift > 0 ? "1" : "2"}},
-                              state,
-                              0,
-                              Eigen::Vector3d::Zero()};
+                              state};
         }
     return std::nullopt;
 }
@@ -72,14 +67,12 @@ std::optional<Remedy> otherPlane(const IndexedMesh& shape, DesignRun& run) {
             {MW_TEXT("design", "Part it square to ({0}, {1}, {2}), {3} mm from the origin, instead: nothing "
                                "is in the way there."),
              {figure(n.x(), 3), figure(n.y(), 3), figure(n.z(), 3), figure(candidate.state.plane.offset, 2)}},
-            candidate.state,
-            0,
-            Eigen::Vector3d::Zero()};
+            candidate.state};
     }
     return std::nullopt;
 }
 
-Remedy filling(bool joins, double volumeFilled, double partVolume) {
+Remedy filling(bool joins, double volumeFilled, double partVolume, std::vector<Eigen::Vector3d> places) {
     const std::vector<std::string> facts{figure(volumeFilled / 1000, 2),
                                          figure(100 * volumeFilled / partVolume, 1)};
     if (joins)
@@ -90,12 +83,12 @@ Remedy filling(bool joins, double volumeFilled, double partVolume) {
              facts},
             {},
             volumeFilled,
-            Eigen::Vector3d::Zero()};
+            std::move(places)};
     return {Remedy::Kind::Fill,
             {MW_TEXT("design", "Fill it: that takes {0} cm³, {1} % of the part."), facts},
             {},
             volumeFilled,
-            Eigen::Vector3d::Zero()};
+            std::move(places)};
 }
 
 /// The highest point of a piece: drawn into the plane it takes the obstruction with it.
@@ -114,7 +107,7 @@ std::optional<Remedy> pin(const SidePiece& piece, const PartedMesh& surface, con
                    {placeText(point), figure(std::abs(highest.z()) * frame.scale(), 1)}},
                   {},
                   0,
-                  point};
+                  {point}};
 }
 
 /// Filling, merging and pinning: what is known of each piece that is in the way.
@@ -122,18 +115,25 @@ void offerLocalRemedies(ObstructedPart& obstructed, const IndexedMesh& shape, co
                         const Directions& directions, const Task& task) {
     const PartedMesh& surface = obstructed.surface;
     const Result<FillPlan> plan = planFill(surface, frame.directionsToWork(directions), task);
-    const Result<FilledPart> least = plan ? minimalFill(*plan) : std::unexpected(plan.error());
-    const bool joins =
-        least && connectedComponents(least->surface.mesh).count < connectedComponents(surface.mesh).count;
+    if (!plan)
+        return;
+    const std::vector<char> joining = regionsThatJoin(*plan);
     const double cubed = std::pow(frame.scale(), 3);
     std::size_t next = 0;
     for (const SidePiece& piece : sidePieces(surface.mesh, surface.labels)) {
         if (pieceFault(surface.mesh, piece) == PieceFault::None || next == obstructed.obstructions.size())
             continue;
         Obstruction& obstruction = obstructed.obstructions[next++];
-        const bool apart = obstruction.kind == Kind::Link || obstruction.kind == Kind::ClosedPiece;
-        if (const double filled = plan ? neededVolumeAt(*plan, piece.faces) : 0; filled > 0)
-            obstruction.remedies.push_back(filling(joins && apart, filled * cubed, volume(shape)));
+        double filled = 0;
+        bool joins = false;
+        std::vector<Eigen::Vector3d> places;
+        for (const int region : neededRegionsAt(*plan, piece.faces)) {
+            filled += plan->regions[static_cast<std::size_t>(region)].volume * cubed;
+            joins = joins || joining[static_cast<std::size_t>(region)];
+            places.push_back(frame.toPart(plan->regions[static_cast<std::size_t>(region)].place));
+        }
+        if (!places.empty())
+            obstruction.remedies.push_back(filling(joins, filled, volume(shape), std::move(places)));
         if (obstruction.kind == Kind::Handle)
             if (const std::optional<Remedy> pinned = pin(piece, surface, frame))
                 obstruction.remedies.push_back(*pinned);

@@ -2,6 +2,7 @@
 #include "fill/fill_plan.h"
 
 #include "castability/topology.h"
+#include "fill/caps.h"
 #include "fill/necks.h"
 #include "fill/projected_half.h"
 #include "fill/short_edges.h"
@@ -27,6 +28,7 @@ namespace {
 constexpr int kDragRounds = 8;              ///< in which regions are added that others drag along
 constexpr double kNothing = 1e-12;          ///< of the part's volume: regions that fill less only turn edges
 constexpr double kShortest = 1e-4;          ///< of the size: of edges that dividing made, what stays
+constexpr double kFlat = 1e-8;              ///< of the size: triangles less high are all but a line
 constexpr std::array kLongest = {0.2, 0.4}; ///< of the size: how long a region may be that is needed
 
 PartedMesh onGrid(const PartedMesh& part, const ShadowGrid& grid) {
@@ -327,19 +329,6 @@ Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions, 
     return plan;
 }
 
-double neededVolumeAt(const FillPlan& plan, const std::vector<int>& faces) {
-    const std::set<int> asked(faces.begin(), faces.end());
-    std::set<int> regions;
-    for (const ChoiceFace& face : plan.choices.faces)
-        if (face.made < 0 && face.covered >= 0 && asked.contains(face.source) &&
-            plan.regions[static_cast<std::size_t>(face.covered)].needed)
-            regions.insert(face.covered);
-    double sum = 0;
-    for (const int region : regions)
-        sum += plan.regions[static_cast<std::size_t>(region)].volume;
-    return sum;
-}
-
 Result<FilledPart> fillChosen(const FillPlan& plan, const std::vector<int>& chosen) {
     std::vector<char> filled(plan.regions.size(), 0);
     for (const int region : chosen)
@@ -351,6 +340,7 @@ Result<FilledPart> fillChosen(const FillPlan& plan, const std::vector<int>& chos
     if (closedManifold(result.surface.mesh.F, result.surface.mesh.vertexCount())) {
         FilledPart rounder = result;
         collapseShortEdges(rounder, kShortest * diagonal(plan.part.mesh));
+        flipCaps(rounder, kFlat * diagonal(plan.part.mesh));
         if (isSound(rounder.surface.mesh))
             return rounder;
         if (isSound(result.surface.mesh))

@@ -36,9 +36,6 @@ struct FillPlan {
 [[nodiscard]] Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions,
                                         const Task& task = {});
 
-/// Volume of the needed regions that cover any of these faces of the part, cubed units of the mesh.
-[[nodiscard]] double neededVolumeAt(const FillPlan& plan, const std::vector<int>& faces);
-
 /// The part with the chosen regions filled and all others as they were; these keep their undercuts. Checked
 /// as fill() checks. Errors: Internal where surfaces that were to stay cross those that filling makes;
 /// `faces` names the regions to choose besides.

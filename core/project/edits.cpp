@@ -57,6 +57,10 @@ Project withPlacement(Project project, const Placement& placement) {
         project.state = moved(*project.state, change);
     for (Pin& pin : project.pins)
         pin.point = change * pin.point;
+    for (UndercutChoice& undercut : project.undercuts)
+        undercut.place = change * undercut.place;
+    if (std::optional<Vector3d>& axis = project.design.limits.axis)
+        axis = (change.linear() * *axis).normalized();
     project.cast = nullptr;
     return project;
 }
@@ -99,6 +103,18 @@ Project withPins(Project project, std::vector<Pin> pins) {
     if (project.pins != pins)
         project.cast = nullptr;
     project.pins = std::move(pins);
+    return project;
+}
+
+Project withUndercut(Project project, const Vector3d& place,
+                     std::optional<UndercutChoice::Treatment> treatment) {
+    std::vector<UndercutChoice> choices = project.undercuts;
+    std::erase_if(choices, [&](const UndercutChoice& choice) { return choice.place == place; });
+    if (treatment)
+        choices.push_back({place, *treatment});
+    if (choices != project.undercuts)
+        project.cast = nullptr;
+    project.undercuts = std::move(choices);
     return project;
 }
 

@@ -6,8 +6,8 @@
 namespace moldwright {
 
 /// Edits of a project: pure functions Project → Project. Each also drops what it makes untrue: an edit of the
-/// part, the plane, the directions, the pins or the design settings drops the cast, which no longer follows
-/// from them. An edit that changes nothing returns an equal project.
+/// part, the plane, the directions, the pins, the undercuts or the design settings drops the cast, which no
+/// longer follows from them. An edit that changes nothing returns an equal project.
 
 /// The mesh as read, brought to millimetres and moved.
 [[nodiscard]] IndexedMesh placed(const IndexedMesh& source, const Placement& placement);
@@ -16,7 +16,7 @@ namespace moldwright {
 [[nodiscard]] Project withPart(Project project, std::string name, std::string sourceFile, SharedMesh source,
                                const Placement& placement);
 
-/// The part placed anew; plane, directions and pins move with it.
+/// The part placed anew; plane, directions, their axis, pins and places of undercuts move with it.
 [[nodiscard]] Project withPlacement(Project project, const Placement& placement);
 
 /// Another mold state, chosen by hand (a drag) or found by the program.
@@ -30,6 +30,11 @@ namespace moldwright {
 
 [[nodiscard]] Project withDesignSettings(Project project, const DesignSettings& settings);
 [[nodiscard]] Project withPins(Project project, std::vector<Pin> pins);
+/// An undercut, known by a place on it, to be treated as chosen; none: by the rule, as all others. A choice
+/// at the same place is replaced.
+[[nodiscard]] Project withUndercut(Project project, const Eigen::Vector3d& place,
+                                   std::optional<UndercutChoice::Treatment> treatment);
+
 [[nodiscard]] Project withMoldSettings(Project project, const MoldSettings& settings);
 
 /// The project with what a design run made, and the mold state that it ended in.

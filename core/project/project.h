@@ -30,7 +30,7 @@ struct Placement {
 /// What the designer decided; the input of design().
 struct DesignSettings {
     double draftDegrees = 1;
-    double maxTiltDegrees = 30;
+    DirectionLimits limits;
     DirectionsChoice directionsChoice = DirectionsChoice::Automatic;
     DeformationMethod method = DeformationMethod::Default;
     FillChoice fill = FillChoice::Auto;
@@ -63,6 +63,7 @@ struct Project {
     bool planeChosenByHand = false;
     DesignSettings design;
     std::vector<Pin> pins;
+    std::vector<UndercutChoice> undercuts;  ///< treated as chosen at the state's plane
     std::vector<double> faceWeights;        ///< per face of part; empty: all 1
     std::shared_ptr<const CastResult> cast; ///< none until a design finished
     MoldSettings mold;

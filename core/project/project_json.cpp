@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 4> unitNames = {"mm", "cm", "m", "in"};
 constexpr std::array<std::string_view, 3> directionsNames = {"automatic", "normal", "given"};
 constexpr std::array<std::string_view, 2> methodNames = {"default", "paper"};
 constexpr std::array<std::string_view, 2> fillNames = {"none", "auto"};
+constexpr std::array<std::string_view, 2> treatmentNames = {"bend", "fill"};
 
 template <class E, std::size_t N>
 Json nameOf(E value, const std::array<std::string_view, N>& names) {
@@ -69,22 +70,31 @@ Placement placement(const Json& j) {
 }
 
 Json json(const DesignSettings& design) {
-    return {{"draft_deg", design.draftDegrees},
-            {"max_tilt_deg", design.maxTiltDegrees},
-            {"directions", nameOf(design.directionsChoice, directionsNames)},
-            {"method", nameOf(design.method, methodNames)},
-            {"fill", nameOf(design.fill, fillNames)},
-            {"seed", design.seed}};
+    Json result = {{"draft_deg", design.draftDegrees},
+                   {"max_tilt_deg", design.limits.maxTiltDegrees},
+                   {"directions", nameOf(design.directionsChoice, directionsNames)},
+                   {"method", nameOf(design.method, methodNames)},
+                   {"fill", nameOf(design.fill, fillNames)},
+                   {"seed", design.seed}};
+    if (design.limits.axis) {
+        result["axis"] = json(*design.limits.axis);
+        result["cone_deg"] = design.limits.coneDegrees;
+    }
+    return result;
 }
 DesignSettings designSettings(const Json& j) {
     DesignSettings design{j.at("draft_deg").get<double>(),
-                          j.at("max_tilt_deg").get<double>(),
+                          {j.at("max_tilt_deg").get<double>()},
                           valueOf<DirectionsChoice>(j.at("directions"), directionsNames),
                           valueOf<DeformationMethod>(j.at("method"), methodNames),
                           {},
                           j.at("seed").get<unsigned>()};
     // Files written before filling existed do not name it.
     design.fill = j.contains("fill") ? valueOf<FillChoice>(j.at("fill"), fillNames) : FillChoice::Auto;
+    if (j.contains("axis")) {
+        design.limits.axis = vector(j.at("axis"));
+        design.limits.coneDegrees = j.at("cone_deg").get<double>();
+    }
     return design;
 }
 
@@ -141,6 +151,11 @@ nlohmann::ordered_json documentJson(const Project& project) {
                      {"pins", Json::array()}};
     for (const Pin& pin : project.pins)
         document["pins"].push_back(json(pin.point));
+    if (!project.undercuts.empty())
+        document["undercuts"] = Json::array();
+    for (const UndercutChoice& choice : project.undercuts)
+        document["undercuts"].push_back(
+            {{"place", json(choice.place)}, {"treatment", nameOf(choice.treatment, treatmentNames)}});
     if (project.state)
         document["state"] = json(*project.state);
     if (project.cast)
@@ -157,6 +172,11 @@ void readDocument(const nlohmann::ordered_json& document, Project& project, std:
     project.mold = moldSettings(document.at("mold"));
     for (const Json& pin : document.at("pins"))
         project.pins.push_back({vector(pin)});
+    if (document.contains("undercuts"))
+        for (const Json& choice : document.at("undercuts"))
+            project.undercuts.push_back(
+                {vector(choice.at("place")),
+                 valueOf<UndercutChoice::Treatment>(choice.at("treatment"), treatmentNames)});
     if (document.contains("state"))
         project.state = moldState(document.at("state"));
     if (document.contains("cast"))

@@ -14,7 +14,7 @@ static void firstDirections(benchmark::State& state) {
     Best best(state);
     for (auto _ : state)
         best.round(
-            [&] { benchmark::DoNotOptimize(bestDirections(*subject.part, subject.state.plane, 1, 30)); });
+            [&] { benchmark::DoNotOptimize(bestDirections(*subject.part, subject.state.plane, 1, {30})); });
 }
 BENCHMARK(firstDirections)->Apply(eachSubject);
 

@@ -62,23 +62,23 @@ TEST(SideFaces, SameBitsForAnyVectorWidth) {
 }
 
 TEST(Directions, ALeaningPrismOpensAlongItsAxis) {
-    const Directions best = bestDirections(leaningPrism(), PartingPlane{}, 0, 30);
+    const Directions best = bestDirections(leaningPrism(), PartingPlane{}, 0, {30});
     const Eigen::Vector3d axis(std::sin(radians(20)), 0, std::cos(radians(20)));
     EXPECT_LT(degrees(std::acos(best.d1.dot(axis))), 0.5);
     EXPECT_LT(degrees(std::acos(-best.d2.dot(axis))), 0.5);
 }
 
 TEST(Directions, NoneLeansFurtherThanTheCap) {
-    const Directions capped = bestDirections(leaningPrism(), PartingPlane{}, 0, 10);
+    const Directions capped = bestDirections(leaningPrism(), PartingPlane{}, 0, {10});
     EXPECT_NEAR(degrees(std::acos(capped.d1.z())), 10, 1e-6);
     EXPECT_NEAR(degrees(std::acos(-capped.d2.z())), 10, 1e-6);
-    const Directions upright = bestDirections(leaningPrism(), PartingPlane{}, 0, 0);
+    const Directions upright = bestDirections(leaningPrism(), PartingPlane{}, 0, {0});
     EXPECT_EQ(upright, Directions::normalTo(PartingPlane{}));
 }
 
 TEST(Directions, NoDirectionNearbyIsBetter) {
     const IndexedMesh shape = test::rotated(test::torus(2, 0.6, 40, 20), {0.6, 0.8, 0}, 0.4);
-    const Directions best = bestDirections(shape, plane, 3, 30);
+    const Directions best = bestDirections(shape, plane, 3, {30});
     const PartedFaces parted = partFaces(shape, plane);
     const double least = parted.side1.energy(best.d1, tau).value;
     const auto [x, y] = planeAxes(best.d1);
@@ -91,8 +91,8 @@ TEST(Directions, NoDirectionNearbyIsBetter) {
 
 TEST(Directions, SameAnswerForAnyNumberOfThreads) {
     setThreadCount(1);
-    const Directions one = bestDirections(egg(), plane, 3, 30);
+    const Directions one = bestDirections(egg(), plane, 3, {30});
     setThreadCount(3);
-    EXPECT_EQ(bestDirections(egg(), plane, 3, 30), one);
+    EXPECT_EQ(bestDirections(egg(), plane, 3, {30}), one);
     setThreadCount(0);
 }

@@ -110,20 +110,20 @@ TEST(StateCost, SameBitsForAnyVectorWidthAndNumberOfThreads) {
 }
 
 TEST(StateCoordinates, GiveBackTheirStartWithinTheCap) {
-    const StateCoordinates coordinates(tiltedState(), 45, false);
+    const StateCoordinates coordinates(tiltedState(), 45, DirectionsFollow::Freely);
     const MoldState back = coordinates.state(coordinates.origin());
     EXPECT_TRUE(back.plane.normal.isApprox(tiltedState().plane.normal, 1e-12));
     EXPECT_TRUE(back.directions.d1.isApprox(tiltedState().directions.d1, 1e-9));
     EXPECT_TRUE(back.directions.d2.isApprox(tiltedState().directions.d2, 1e-9));
-    const MoldState capped =
-        StateCoordinates(tiltedState(), 5, false).state(StateCoordinates(tiltedState(), 5, false).origin());
+    const StateCoordinates narrow(tiltedState(), 5, DirectionsFollow::Freely);
+    const MoldState capped = narrow.state(narrow.origin());
     EXPECT_GT(capped.directions.d1.dot(capped.plane.normal), std::cos(radians(5)));
 }
 
 TEST(StateCoordinates, PulledBackGradientMatchesFiniteDifferences) {
     const FaceArrays faces(shape());
-    for (const bool normalDirections : {false, true}) {
-        const StateCoordinates coordinates(tiltedState(), 30, normalDirections);
+    for (const auto follow : {DirectionsFollow::Freely, DirectionsFollow::Normal, DirectionsFollow::Held}) {
+        const StateCoordinates coordinates(tiltedState(), 30, follow);
         Eigen::VectorXd x = coordinates.origin();
         for (Eigen::Index i = 0; i < x.size(); ++i)
             x[i] += 0.1 - 0.03 * static_cast<double>(i);
@@ -135,6 +135,7 @@ TEST(StateCoordinates, PulledBackGradientMatchesFiniteDifferences) {
         const auto at = [&](const Eigen::VectorXd& y) {
             return stateCost(faces, coordinates.state(y), tau).energy;
         };
-        EXPECT_LT(test::relativeError(gradient, test::finiteDifferences(at, x)), 1e-6) << normalDirections;
+        EXPECT_LT(test::relativeError(gradient, test::finiteDifferences(at, x)), 1e-6)
+            << static_cast<int>(follow);
     }
 }

@@ -179,6 +179,13 @@ TEST_F(DesignCommands, DesignNamesWhatStandsInTheWay) {
         } else if (remedy["kind"] == "fill") {
             EXPECT_GT(remedy["volume"], 0);
             EXPECT_LT(remedy["volume_fraction"], 2);
+            std::vector<std::string> again{"design", standingRing(), "--out", in("chosen"), "--fill",
+                                           "none",   "--plane",      "0",     "0",          "1",
+                                           "-22",    "--fill-at"};
+            for (const Json& place : remedy["fill_at"])
+                for (const Json& x : place)
+                    again.push_back(x.dump());
+            EXPECT_EQ(test::runProgram(again).exitCode, 0) << "what was chosen is filled";
         }
     }
     EXPECT_TRUE(kinds.contains("plane") && kinds.contains("fill"));

@@ -72,6 +72,31 @@ TEST(Design, BendsABananaUntilItIsCastableAndStaysNearIt) {
     EXPECT_NEAR(result->change.volumeRatio, 1, 0.15);
 }
 
+TEST(Design, BothHalvesLeaveAlongThePressAxis) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(0.1, -0.2, -1).normalized();
+    DesignRequest request = level(banana());
+    request.limits = {30, axis, 0};
+    for (const bool given : {true, false}) {
+        if (!given)
+            request.plane.reset();
+        const Result<DesignResult> result = design(request);
+        ASSERT_TRUE(result) << result.error().english();
+        expectProved(*result, 1);
+        EXPECT_LT(result->state.directions.d1.cross(axis).norm(), 1e-12);
+        EXPECT_LT(result->state.directions.d2.cross(axis).norm(), 1e-12);
+        EXPECT_LE(degrees(std::acos(result->state.directions.d1.dot(result->state.plane.normal))), 30.001);
+    }
+}
+
+TEST(Design, AnAxisThatNoPlaneSoTurnedAllowsIsRefused) {
+    DesignRequest request = level(banana());
+    request.limits = {30, Eigen::Vector3d::UnitX(), 20};
+    const Result<DesignResult> result = design(request);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Impossible);
+    EXPECT_NE(result.error().english().find("30°"), std::string::npos) << result.error().english();
+}
+
 TEST(Design, FillsTheHoleOfAStandingRingWhereAsked) {
     const IndexedMesh ring =
         test::rotated(test::torus(16, 5, 48, 24), Eigen::Vector3d::UnitX(), std::numbers::pi / 2);

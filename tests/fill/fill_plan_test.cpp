@@ -208,3 +208,18 @@ TEST(FillPlan, IsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one->surface.mesh.F, four->surface.mesh.F);
     EXPECT_EQ(one->sourceVertex, four->sourceVertex);
 }
+
+TEST(FillPlan, DividingLeavesNoTriangleThatIsALine) {
+    // Cuts along planes square to the rows of the ring's faces: cut points lie on edges of whole neighbours.
+    const IndexedMesh ring =
+        shifted(test::rotated(test::torus(4, 1.2, 40, 20), Eigen::Vector3d::UnitX(), kPi / 2), {-10, 0, 4});
+    const auto least = minimalFill(planned(test::together(ring, test::sphere({10, 0, 1}, 3, 3))));
+    ASSERT_TRUE(least);
+    const IndexedMesh& mesh = least->surface.mesh;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        double longest = 0;
+        for (int k = 0; k < 3; ++k)
+            longest = std::max(longest, (mesh.corner(f, k) - mesh.corner(f, (k + 1) % 3)).norm());
+        EXPECT_GT(doubleAreaVector(mesh, f).norm() / longest, 1e-8) << f;
+    }
+}

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace moldwright;
 using namespace moldwright::test;
 using Eigen::Vector3d;
@@ -33,6 +35,7 @@ TEST(Edits, ThatTheCastDoesNotSurviveDropIt) {
     EXPECT_EQ(withPlacement(project, placement).cast, nullptr);
     EXPECT_EQ(withPlane(project, {Vector3d::UnitX(), 1}, true).cast, nullptr);
     EXPECT_EQ(withPins(project, {}).cast, nullptr);
+    EXPECT_EQ(withUndercut(project, {1, 1, 1}, UndercutChoice::Treatment::Fill).cast, nullptr);
     EXPECT_EQ(withDesignSettings(project, {}).cast, nullptr);
     EXPECT_NE(withMoldSettings(project, {}).cast, nullptr);
 }
@@ -49,8 +52,28 @@ TEST(Edits, PlaneDirectionsAndPinsMoveWithThePart) {
                     3 * project.state->plane.distance(project.part->point(v)), 1e-9);
     EXPECT_NEAR(result.state->directions.d1.dot(result.state->plane.normal),
                 project.state->directions.d1.dot(project.state->plane.normal), 1e-12);
+    EXPECT_NEAR((result.undercuts[0].place - result.part->point(0)).norm(),
+                3 * (project.undercuts[0].place - project.part->point(0)).norm(), 1e-9);
+    EXPECT_NEAR(result.design.limits.axis->dot(result.state->plane.normal),
+                project.design.limits.axis->dot(project.state->plane.normal), 1e-12);
     EXPECT_NEAR((result.pins[0].point - result.part->point(0)).norm(),
                 3 * (project.pins[0].point - project.part->point(0)).norm(), 1e-9);
+}
+
+TEST(Edits, AnUndercutHasOneTreatmentOrNone) {
+    const Project project = someProject();
+    const UndercutChoice& known = project.undercuts.front();
+    EXPECT_TRUE(equal(withUndercut(project, known.place, std::nullopt), [&] {
+        Project other = project;
+        other.undercuts.erase(other.undercuts.begin());
+        other.cast = nullptr;
+        return other;
+    }()));
+    const Project bent = withUndercut(project, known.place, UndercutChoice::Treatment::Bend);
+    EXPECT_EQ(bent.undercuts.size(), project.undercuts.size());
+    EXPECT_EQ(
+        std::ranges::count(bent.undercuts, UndercutChoice{known.place, UndercutChoice::Treatment::Bend}), 1);
+    EXPECT_TRUE(equal(withUndercut(project, {9, 9, 9}, std::nullopt), project));
 }
 
 TEST(Edits, AnotherPlaneKeepsDirectionsOnlyWhileTheyLeaveIt) {

@@ -35,8 +35,15 @@ Project someProject() {
     placement.motion.translate(Eigen::Vector3d(0.1, 1.0 / 3, -7));
     Project project =
         withPart({}, "Box ∅ 20", "box.stl", std::make_shared<const IndexedMesh>(cast.mesh), placement);
-    project.design = {2.5, 20, DirectionsChoice::Given, DeformationMethod::Paper, FillChoice::None, 7};
+    project.design = {2.5,
+                      {20, Eigen::Vector3d(0, 0.6, 0.8), 3},
+                      DirectionsChoice::Given,
+                      DeformationMethod::Paper,
+                      FillChoice::None,
+                      7};
     project.pins = {{{0.1, 0.2, 0.3}}, {{-1, 2, 1e-17}}};
+    project.undercuts = {{{1, -2, 0.25}, UndercutChoice::Treatment::Fill},
+                         {{3, 4, 5}, UndercutChoice::Treatment::Bend}};
     project.faceWeights.assign(static_cast<std::size_t>(cast.mesh.faceCount()), 1.1);
     project.mold = {4, 3, 6, 0.5, 12};
     project.state = cast.state;
@@ -56,7 +63,8 @@ bool equal(const Project& a, const Project& b) {
     return a.name == b.name && a.sourceFile == b.sourceFile && equal(a.source, b.source) &&
            a.placement == b.placement && equal(a.part, b.part) && a.state == b.state &&
            a.planeChosenByHand == b.planeChosenByHand && a.design == b.design && a.pins == b.pins &&
-           a.faceWeights == b.faceWeights && equal(a.cast, b.cast) && a.mold == b.mold;
+           a.undercuts == b.undercuts && a.faceWeights == b.faceWeights && equal(a.cast, b.cast) &&
+           a.mold == b.mold;
 }
 
 } // namespace moldwright::test
