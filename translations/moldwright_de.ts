@@ -562,6 +562,20 @@
     <message>
         <source>Turn the view once around and write an animated PNG. Esc stops.</source>
         <translation>Die Ansicht einmal herumdrehen und als animiertes PNG schreiben. Esc hält an.</translation>
+        <source>Find &amp;undercuts</source>
+        <translation>Hinterschnitte &amp;suchen</translation>
+    </message>
+    <message>
+        <source>List the undercuts at this plane, to have each one bent or filled.</source>
+        <translation>Die Hinterschnitte an dieser Ebene aufführen, um jeden zu biegen oder zu füllen.</translation>
+    </message>
+    <message>
+        <source>Fill or &amp;join here</source>
+        <translation>Hier füllen oder &amp;verbinden</translation>
+    </message>
+    <message>
+        <source>Have what the chosen obstruction spans filled; Run bends the rest.</source>
+        <translation>Was das gewählte Hindernis überspannt, füllen lassen; Start biegt den Rest.</translation>
     </message>
 </context>
 <context>
@@ -805,6 +819,10 @@
     <message>
         <source>%1 obstructions at this plane</source>
         <translation>%1 Hindernisse an dieser Ebene</translation>
+    </message>
+    <message>
+        <source>will be filled</source>
+        <translation>wird gefüllt</translation>
     </message>
 </context>
 <context>
@@ -1248,6 +1266,30 @@
         <source>What was filled in where no bending helps, over the part&apos;s volume.</source>
         <translation>Was gefüllt wurde, wo kein Biegen hilft, im Verhältnis zum Volumen des Teils.</translation>
     </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>The axis that the press pulls along: both directions keep to it.</source>
+        <translation>Die Achse, in der die Presse zieht: beide Richtungen halten sich an sie.</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Beliebig</translation>
+    </message>
+    <message>
+        <source>That of direction 1</source>
+        <translation>Die von Richtung 1</translation>
+    </message>
+    <message>
+        <source>Off the axis</source>
+        <translation>Von der Achse ab</translation>
+    </message>
+    <message>
+        <source>How far a direction may lean from the axis; 0 holds it there.</source>
+        <translation>Wie weit eine Richtung von der Achse abweichen darf; 0 hält sie fest.</translation>
+    </message>
 </context>
 <context>
     <name>Samples</name>
@@ -1377,6 +1419,18 @@
     <message>
         <source>A piece of {2} mm spans another piece on side {0}, near {1}: they hang in one another, and no half can leave between them. Take them apart, or have them merged.</source>
         <translation>Ein Stück von {2} mm überspannt auf Seite {0}, nahe {1}, ein anderes: sie hängen ineinander, und keine Hälfte kommt zwischen ihnen heraus. Sie trennen oder vereinigen lassen.</translation>
+    </message>
+    <message>
+        <source>The undercut near {0} is to be bent, and no bending frees it. Have it filled, or move the plane.</source>
+        <translation>Der Hinterschnitt bei {0} soll gebogen werden, und kein Biegen befreit ihn. Füllen lassen oder die Ebene verschieben.</translation>
+    </message>
+    <message>
+        <source>Undercuts were chosen to be filled or bent, and no plane was given: which undercuts there are depends on it. Give a plane too.</source>
+        <translation>Es wurde gewählt, welche Hinterschnitte gefüllt oder gebogen werden, aber keine Ebene: Welche es gibt, hängt von ihr ab. Auch eine Ebene angeben.</translation>
+    </message>
+    <message>
+        <source>No direction within {0}° of the axis leaves the plane within {1}° of its normal. Turn the plane towards the axis, or allow more.</source>
+        <translation>Keine Richtung, die höchstens {0}° von der Achse abweicht, verlässt die Ebene höchstens {1}° neben ihrer Normalen. Die Ebene zur Achse drehen oder mehr zulassen.</translation>
     </message>
 </context>
 <context>
@@ -2433,6 +2487,42 @@
         <source>At this plane %1 places stand in the way, however the part is bent.</source>
         <translation>An dieser Ebene sind %1 Stellen im Weg, wie man das Teil auch biegt.</translation>
     </message>
+    <message>
+        <source>Looking for undercuts</source>
+        <translation>Suche nach Hinterschnitten</translation>
+    </message>
+    <message>
+        <source>%1 undercuts at this plane; %2 that no bending frees.</source>
+        <translation>%1 Hinterschnitte an dieser Ebene; %2 befreit kein Biegen.</translation>
+    </message>
+    <message>
+        <source>Undercut by the rule</source>
+        <translation>Hinterschnitt nach der Regel</translation>
+    </message>
+    <message>
+        <source>Fill an undercut</source>
+        <translation>Einen Hinterschnitt füllen</translation>
+    </message>
+    <message>
+        <source>Bend an undercut</source>
+        <translation>Einen Hinterschnitt biegen</translation>
+    </message>
+    <message>
+        <source>Fill an obstruction</source>
+        <translation>Ein Hindernis füllen</translation>
+    </message>
+    <message>
+        <source>It will be filled. Nothing else stands in the way: Run bends the rest.</source>
+        <translation>Es wird gefüllt. Sonst steht nichts im Weg: Start biegt den Rest.</translation>
+    </message>
+    <message>
+        <source>It will be filled. %1 more to decide on.</source>
+        <translation>Es wird gefüllt. Über %1 weitere ist zu entscheiden.</translation>
+    </message>
+    <message>
+        <source>No direction keeps to the axis and to the tilt limit at this plane. Turn the plane, or allow more.</source>
+        <translation>Keine Richtung hält sich an dieser Ebene an Achse und Neigungsgrenze. Die Ebene drehen oder mehr zulassen.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -2524,6 +2614,18 @@
     <message>
         <source>Draft %1 or more</source>
         <translation>Schräge %1 oder mehr</translation>
+    <name>UndercutPages</name>
+    <message>
+        <source>Undercut %1</source>
+        <translation>Hinterschnitt %1</translation>
+    </message>
+    <message>
+        <source>fill, %1</source>
+        <translation>füllen, %1</translation>
+    </message>
+    <message>
+        <source>bend, %1</source>
+        <translation>biegen, %1</translation>
     </message>
     <message>
         <source>Undercuts</source>
@@ -2658,6 +2760,92 @@
     <message>
         <source>Angle</source>
         <translation>Winkel</translation>
+        <source>What a half cannot leave at this plane, region by region.</source>
+        <translation>Woraus sich an dieser Ebene keine Hälfte löst, Stelle für Stelle.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Not to be bent</source>
+        <translation>Nicht zu biegen</translation>
+    </message>
+    <message>
+        <source>Regions that no bending frees.</source>
+        <translation>Stellen, die kein Biegen befreit.</translation>
+    </message>
+    <message>
+        <source>To fill all</source>
+        <translation>Alle zu füllen</translation>
+    </message>
+    <message>
+        <source>No bending frees it: have it filled, or move the plane.</source>
+        <translation>Kein Biegen befreit ihn: füllen lassen oder die Ebene verschieben.</translation>
+    </message>
+    <message>
+        <source>Bending frees it. Filled, what lies about it stays as it is.</source>
+        <translation>Biegen befreit ihn. Gefüllt bleibt, was um ihn liegt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Filling it joins pieces of the part that are apart.</source>
+        <translation>Füllen verbindet Stücke des Teils, die getrennt sind.</translation>
+    </message>
+    <message>
+        <source>What becomes of it</source>
+        <translation>Was daraus wird</translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation>Behandlung</translation>
+    </message>
+    <message>
+        <source>By the rule: as the page of Deform says for all.</source>
+        <translation>Nach der Regel: wie es die Seite Verformen für alle sagt.</translation>
+    </message>
+    <message>
+        <source>By the rule</source>
+        <translation>Nach der Regel</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>X, Y, Z, mm</source>
+        <translation>X, Y, Z, mm</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>To fill</source>
+        <translation>Zu füllen</translation>
+    </message>
+    <message>
+        <source>What filling it takes, over the part&apos;s volume.</source>
+        <translation>Was das Füllen braucht, bezogen auf das Volumen des Teils.</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
     </message>
 </context>
 </TS>

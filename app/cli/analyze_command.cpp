@@ -2,7 +2,6 @@
 #include "cli/analyze_command.h"
 
 #include "castability/analysis.h"
-#include "castability/directions.h"
 #include "cli/load_part.h"
 #include "cli/state_options.h"
 #include "design/filling.h"
@@ -69,24 +68,16 @@ Result<void> addRegions(Json& json, const IndexedMesh& part, const MoldState& st
 }
 
 Result<ExitCode> analyze(const AnalyzeOptions& options, const Session& session) {
-    const Result<std::optional<PartingPlane>> plane = options.state.givenPlane();
-    if (!plane)
-        return std::unexpected(plane.error());
-    const Result<std::optional<Directions>> directions = options.state.givenDirections(*plane);
-    if (!directions)
-        return std::unexpected(directions.error());
-    const Result<DirectionLimits> limits = options.limits.limits();
-    if (!limits)
-        return std::unexpected(limits.error());
-    if (!*directions && !allows(*limits, (*plane)->normal))
-        return failure(ErrorCode::Usage, MW_TEXT("cli", "The plane lies too far from square to --axis: no "
-                                                        "direction keeps to --max-tilt and --cone."));
+    if (const Result<MoldState> checked = options.state.moldState(); !checked)
+        return std::unexpected(checked.error());
     const Result<IndexedMesh> part = loadPart(options.input, session);
     if (!part)
         return std::unexpected(part.error());
+    const Result<MoldState> best = bestStateAt(options.state, options.limits, *part);
+    if (!best)
+        return std::unexpected(best.error());
+    const MoldState& state = *best;
     const double draft = options.state.draft;
-    const MoldState state{**plane,
-                          *directions ? **directions : bestDirections(*part, **plane, draft, *limits)};
     const DraftAnalysis analysis = analyzeDraft(*part, state, draft);
     Json json = jsonOf(analysis, state);
     session.out() << readable(100 * analysis.violatingAreaFraction, 3) << " % of the surface below "

@@ -23,7 +23,7 @@ struct PinsOptions {
     StateOptions state;
     SizeOptions size;
     PinSearch search;
-    double maxTilt = 30;
+    LimitOptions limits;
 };
 
 const char* nameOf(PinKind kind) {
@@ -66,19 +66,19 @@ Result<std::optional<MoldState>> stateFor(const PinsOptions& options, const Inde
     const Result<std::optional<PartingPlane>> plane = options.state.givenPlane();
     if (!plane)
         return std::unexpected(plane.error());
-    const Result<std::optional<Directions>> directions = options.state.givenDirections(*plane);
-    if (!directions)
-        return std::unexpected(directions.error());
-    const double draft = options.state.draft;
-    if (*plane)
-        return MoldState{**plane,
-                         *directions ? **directions : bestDirections(part, **plane, draft, options.maxTilt)};
+    if (*plane) {
+        const Result<MoldState> best = bestStateAt(options.state, options.limits, part);
+        return best ? Result<std::optional<MoldState>>(*best) : std::unexpected(best.error());
+    }
+    const Result<DirectionLimits> limits = options.limits.limits();
+    if (!limits)
+        return std::unexpected(limits.error());
     if (options.state.plane.empty())
         return std::nullopt;
     PlaneSearch search;
     search.count = 1;
-    search.draftDegrees = draft;
-    search.maxTiltDegrees = options.maxTilt;
+    search.draftDegrees = options.state.draft;
+    search.limits = *limits;
     search.seed = session.seed();
     const std::vector<PlaneCandidate> best = findPlanes(part, search, session.task().part(0, 0.5));
     if (best.empty())
@@ -140,10 +140,7 @@ Command pinsCommand() {
             app.add_option("--count", options->search.count, "How many pins at most")
                 ->check(CLI::Range(1, 200))
                 ->capture_default_str();
-            app.add_option("--max-tilt", options->maxTilt,
-                           "Largest angle of an optimised direction to the normal, degrees")
-                ->check(CLI::Range(0.0, 80.0))
-                ->capture_default_str();
+            options->limits.declare(app);
             options->size.declare(app);
             return [options](const Session& session) { return findPins(*options, session); };
         }};

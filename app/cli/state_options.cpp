@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/state_options.h"
 
+#include "castability/directions.h"
+
 #include <CLI/CLI.hpp>
 
 #include <charconv>
@@ -114,6 +116,25 @@ Result<DirectionLimits> LimitOptions::limits() const {
         return failure(ErrorCode::Usage, MW_TEXT("cli", "--axis takes three numbers that are not all zero."));
     limits.axis = given.normalized();
     return limits;
+}
+
+Result<MoldState> bestStateAt(const StateOptions& state, const LimitOptions& limits,
+                              const IndexedMesh& part) {
+    const Result<std::optional<PartingPlane>> plane = state.givenPlane();
+    if (!plane)
+        return std::unexpected(plane.error());
+    const Result<std::optional<Directions>> directions = state.givenDirections(*plane);
+    if (!directions)
+        return std::unexpected(directions.error());
+    if (*directions)
+        return MoldState{**plane, **directions};
+    const Result<DirectionLimits> allowed = limits.limits();
+    if (!allowed)
+        return std::unexpected(allowed.error());
+    if (!allows(*allowed, (*plane)->normal))
+        return failure(ErrorCode::Usage, MW_TEXT("cli", "The plane lies too far from square to --axis: no "
+                                                        "direction keeps to --max-tilt and --cone."));
+    return MoldState{**plane, bestDirections(part, **plane, state.draft, *allowed)};
 }
 
 Json jsonOf(const PartingPlane& plane) {

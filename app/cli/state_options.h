@@ -5,6 +5,7 @@
 #include "castability/direction_limits.h"
 #include "castability/mold_state.h"
 #include "cli/json.h"
+#include "mesh/indexed_mesh.h"
 
 #include <optional>
 #include <string>
@@ -52,6 +53,11 @@ struct LimitOptions {
     /// Errors: Usage (an axis of length zero).
     [[nodiscard]] Result<DirectionLimits> limits() const;
 };
+
+/// The plane that was given, with the directions given, or the best ones within the limits. Precondition: a
+/// plane was given. Errors: Usage (no direction is allowed there, too).
+[[nodiscard]] Result<MoldState> bestStateAt(const StateOptions& state, const LimitOptions& limits,
+                                            const IndexedMesh& part);
 
 /// A plane as [nx, ny, nz, o].
 [[nodiscard]] Json jsonOf(const PartingPlane& plane);

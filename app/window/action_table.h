@@ -21,6 +21,7 @@ enum class Needs {
     Plane,
     IdlePlane,
     SuggestedPlane,
+    FillableObstruction,
     CastShape,
     ProvedCast,
     MoldBuilt,

@@ -3,13 +3,6 @@
 
 namespace moldwright {
 
-bool sameProject(const Project& a, const Project& b) {
-    return a.name == b.name && a.sourceFile == b.sourceFile && a.source == b.source && a.part == b.part &&
-           a.placement == b.placement && a.state == b.state && a.planeChosenByHand == b.planeChosenByHand &&
-           a.design == b.design && a.pins == b.pins && a.faceWeights == b.faceWeights && a.cast == b.cast &&
-           a.mold == b.mold;
-}
-
 void Document::open(const Project& project, const QString& file) {
     m_history.clear();
     m_file = file;
@@ -18,7 +11,7 @@ void Document::open(const Project& project, const QString& file) {
 }
 
 void Document::edit(const QString& words, const Project& after, const QString& mergeKey) {
-    if (sameProject(m_project, after)) {
+    if (m_project == after) {
         endPreview();
         return;
     }

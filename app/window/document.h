@@ -57,7 +57,4 @@ private:
     QString m_file;
 };
 
-/// Whether two projects are the same document, to the bit (meshes by identity).
-[[nodiscard]] bool sameProject(const Project& a, const Project& b);
-
 } // namespace moldwright

@@ -17,6 +17,7 @@
 #include "window/obstruction_words.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
+#include "window/undercut_pages.h"
 #include "window/workbench.h"
 
 #include <QLabel>
@@ -87,7 +88,8 @@ void MainWindow::refresh() {
     const Verdict verdict = verdictOf(m_bench);
     m_workflow->verdict()->setVerdict(verdict.standing, verdict.sentence, verdict.reason);
     m_projectModel->setRows(projectRows(m_bench, m_visible));
-    if (obstructionNumber(m_selected) >= static_cast<int>(m_bench.obstructions().size()))
+    if (obstructionNumber(m_selected) >= static_cast<int>(m_bench.obstructions().size()) ||
+        undercutNumber(m_selected) >= static_cast<int>(m_bench.undercuts().size()))
         select(u"deform"_s);
     m_tree->select(m_selected);
     m_plots->setRequiredDraft(m_bench.project().design.draftDegrees);
@@ -137,6 +139,8 @@ void MainWindow::refreshActions() {
             return plane && idle;
         case Needs::SuggestedPlane:
             return idle && m_bench.suggestedPlane().has_value();
+        case Needs::FillableObstruction:
+            return idle && !m_bench.placesToFill(obstructionNumber(m_selected)).empty();
         case Needs::CastShape:
             return idle && project.cast != nullptr;
         case Needs::ProvedCast:
@@ -223,8 +227,12 @@ void MainWindow::select(const QString& id) {
     const int number = obstructionNumber(id);
     if (number >= 0 && number < static_cast<int>(m_bench.obstructions().size()))
         m_view->frame(m_bench.placeOf(number));
+    const int undercut = undercutNumber(id);
+    if (undercut >= 0 && undercut < static_cast<int>(m_bench.undercuts().size()))
+        m_view->frame(m_bench.placeOfUndercut(undercut));
+    const bool deforms = id == u"deform"_s || number >= 0 || id.startsWith(u"undercut"_s);
     const Step step = id == u"plane"_s || id.startsWith(u"direction"_s) ? Step::Plane
-                      : id == u"deform"_s || number >= 0                ? Step::Deform
+                      : deforms                                         ? Step::Deform
                       : id == u"cast"_s                                 ? Step::Check
                       : id == u"mold"_s || id.startsWith(u"half"_s)     ? Step::Mold
                                                                         : Step::Part;

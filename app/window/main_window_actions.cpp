@@ -85,6 +85,8 @@ void MainWindow::connectPartActions() {
         select(u"plane"_s);
         m_bench.takeSuggestedPlane();
     });
+    m_actions.on(u"find-undercuts"_s, [this] { m_bench.findUndercuts(); });
+    m_actions.on(u"fill-here"_s, [this] { m_bench.fillObstruction(obstructionNumber(m_selected)); });
     m_actions.on(u"best-directions"_s, [this] { m_bench.findBestDirections(); });
     m_actions.on(u"normal-directions"_s, [this] {
         const PartingPlane plane = m_bench.project().state->plane;
@@ -162,6 +164,7 @@ void MainWindow::connectBench() {
         m_actions[m_remedy]->trigger();
     });
     connect(&m_bench, &Workbench::obstructed, this, [this] { select(obstructionId(0)); });
+    connect(&m_bench, &Workbench::undercutsFound, this, [this] { select(u"undercuts"_s); });
     connect(&m_bench, &Workbench::saved, this,
             [this] { m_savedLabel->setText(tr("Saved %1").arg(QTime::currentTime().toString(u"HH:mm"_s))); });
     connect(&m_bench, &Workbench::reportWritten, this,

@@ -8,6 +8,7 @@
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
 #include "window/preferences.h"
+#include "window/undercut_pages.h"
 #include "window/view_area.h"
 #include "window/view_bar.h"
 #include "window/view_pane.h"
@@ -88,8 +89,12 @@ void MainWindow::connectPane(ViewPane& pane) {
         escape();
     });
     connect(view, &PartView::markClicked, this, [this](int chip) {
-        if (chip < static_cast<int>(m_bench.obstructions().size()))
+        const auto obstructions = static_cast<int>(m_bench.obstructions().size());
+        const std::vector<int> undercuts = markedUndercuts(m_bench, m_selected);
+        if (chip < obstructions)
             select(obstructionId(chip));
+        else if (chip < obstructions + static_cast<int>(undercuts.size()))
+            select(undercutId(undercuts[static_cast<std::size_t>(chip - obstructions)]));
     });
     connect(view, &PartView::menuRequested, this, &MainWindow::showViewMenu);
 }
@@ -218,7 +223,7 @@ void MainWindow::refreshView(ViewPane& pane) {
     scene.setPlaneVisible(m_visible.plane && !inMold);
     scene.setDirectionsVisible(m_visible.directions && !inMold);
     showCut(pane);
-    view.setTiltLimit(m_bench.project().design.maxTiltDegrees);
+    view.setDirectionLimits(m_bench.project().design.limits);
     scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, surface, settings.mode, map));
     scene.setStateChip(stateChipFor(m_bench, settings.content));
     scene.setChips(surface.drawn && !inMold ? chipsIn(scene, map) : std::vector<scene::Chip>());
@@ -244,6 +249,8 @@ void MainWindow::showSurface(PartView& view, const ShownSurface& surface, Displa
 std::vector<scene::Chip> MainWindow::chipsIn(const scene::Scene& scene, const FaceMap* map) const {
     // Marks first: their numbers are those of the obstructions.
     std::vector<scene::Chip> chips = marksOf(m_bench.obstructions(), obstructionNumber(m_selected));
+    const std::vector<scene::Chip> undercuts = undercutMarks(m_bench, m_selected);
+    chips.insert(chips.end(), undercuts.begin(), undercuts.end());
     if (const auto state = m_bench.shownState(); state && m_visible.directions)
         for (const int side : {1, 2})
             chips.push_back(

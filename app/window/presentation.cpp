@@ -5,6 +5,7 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "window/obstruction_words.h"
+#include "window/undercut_pages.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -165,7 +166,9 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
                         .iconName = u"error"_s,
                         .tint = theme().error,
                         .name = kindName(bench.obstructions()[i].kind),
-                        .value = sizeText(bench.obstructions()[i])});
+                        .value = bench.willBeFilled(i) ? Words::tr("will be filled")
+                                                       : sizeText(bench.obstructions()[i])});
+    addUndercutRows(rows, deformRow, bench);
     if (project.cast) {
         rows.push_back({
             .id = u"cast"_s,

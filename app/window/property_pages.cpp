@@ -4,6 +4,7 @@
 #include "window/action_table.h"
 #include "window/obstruction_words.h"
 #include "window/sentence.h"
+#include "window/undercut_pages.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -44,12 +45,19 @@ ChoiceProperty directionChoices() {
     return {{Words::tr("Best for the plane"), Words::tr("Along the normal"), Words::tr("As they are")}};
 }
 
-/// How a run is to choose the removal directions.
+/// How a run is to choose the removal directions, and what limits them.
 auto directionRows() -> decltype(PropertySection::rows) {
     return {Property{u"choice"_s, Words::tr("Directions"),
                      Words::tr("How the removal directions are chosen."), directionChoices()},
             number(u"tilt"_s, Words::tr("Tilt limit"),
                    Words::tr("How far a direction may lean from the plane's normal."),
+                   {u"°"_s, 0, 60, 1, 0, true}),
+            Property{u"axis"_s, Words::tr("Axis"),
+                     Words::tr("The axis that the press pulls along: both directions keep to it."),
+                     ChoiceProperty{{Words::tr("Any"), Words::tr("X"), Words::tr("Y"), Words::tr("Z"),
+                                     Words::tr("That of direction 1")}}},
+            number(u"cone"_s, Words::tr("Off the axis"),
+                   Words::tr("How far a direction may lean from the axis; 0 holds it there."),
                    {u"°"_s, 0, 60, 1, 0, true})};
 }
 
@@ -91,16 +99,10 @@ PropertyPage planePage(const Workbench&, const Actions& actions) {
                                      {u"mm"_s, -10000, 10000, 1, 2, false})},
                              {actions[u"best-plane"_s], actions[u"next-plane"_s], actions[u"along-normal"_s]},
                              true});
-    page.sections.push_back(
-        {Words::tr("Directions"),
-         {Property{u"choice"_s, Words::tr("While it runs"),
-                   Words::tr("How the removal directions are chosen when the part is deformed."),
-                   directionChoices()},
-          number(u"tilt"_s, Words::tr("Tilt limit"),
-                 Words::tr("How far a direction may lean from the plane's normal."),
-                 {u"°"_s, 0, 60, 1, 0, true})},
-         {actions[u"best-directions"_s], actions[u"normal-directions"_s]},
-         false});
+    page.sections.push_back({Words::tr("Directions"),
+                             directionRows(),
+                             {actions[u"best-directions"_s], actions[u"normal-directions"_s]},
+                             false});
     page.sections.push_back(
         {Words::tr("Measured"),
          {goalReading(u"worst"_s, Words::tr("Worst draft")), goalReading(u"below"_s, Words::tr("Area below")),
@@ -117,7 +119,7 @@ PropertyPage directionPage(int side, const Workbench& bench, const Actions& acti
                       Words::tr("Direction %1").arg(side),
                       Words::tr("Drag the arrow's tip in the view, or type here."),
                       {}};
-    const double limit = bench.project().design.maxTiltDegrees;
+    const double limit = bench.project().design.limits.maxTiltDegrees;
     page.sections.push_back(
         {Words::tr("Direction"),
          {number(u"lean%1"_s.arg(side), Words::tr("Tilt"), Words::tr("Angle to the plane's normal."),
@@ -155,7 +157,7 @@ PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
         {Words::tr("While it runs"), directionRows(),
          bench.running()
              ? std::vector<QAction*>{actions[u"finish"_s], actions[u"pause"_s], actions[u"stop"_s]}
-             : std::vector<QAction*>{actions[u"run"_s], actions[u"restore"_s]},
+             : std::vector<QAction*>{actions[u"run"_s], actions[u"restore"_s], actions[u"find-undercuts"_s]},
          true});
     page.sections.push_back(
         {Words::tr("Measured"),
@@ -185,6 +187,8 @@ PropertyPage obstructionPage(int number, const Workbench& bench, const Actions& 
         if (remedy.state)
             remedies.push_back(actions[u"suggested-plane"_s]);
     }
+    if (!bench.placesToFill(number).empty())
+        remedies.push_back(actions[u"fill-here"_s]);
     for (const QString& id : {u"best-plane"_s, u"next-plane"_s, u"fill-and-run"_s})
         if (actions[id] != remedies.front())
             remedies.push_back(actions[id]);
@@ -252,6 +256,8 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
     if (const int number = obstructionNumber(selected);
         number >= 0 && number < static_cast<int>(bench.obstructions().size()))
         return obstructionPage(number, bench, actions);
+    if (selected.startsWith(u"undercut"_s))
+        return undercutPage(undercutNumber(selected), bench, actions);
     if (selected == u"deform"_s)
         return deformPage(bench, actions);
     if (selected == u"cast"_s)

@@ -9,6 +9,7 @@
 #include "window/obstruction_words.h"
 #include "window/presentation.h"
 #include "window/property_pages.h"
+#include "window/undercut_pages.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -76,7 +77,7 @@ void fillState(PropertyPanel& panel, const Workbench& bench) {
     if (!state)
         return;
     panel.setValue(u"offset"_s, state->plane.offset);
-    const QString limit = u"≤ "_s + angleText(bench.project().design.maxTiltDegrees, 0);
+    const QString limit = u"≤ "_s + angleText(bench.project().design.limits.maxTiltDegrees, 0);
     for (const int side : {1, 2}) {
         const scene::Lean lean = scene::leanOf(*state, side);
         const Eigen::Vector3d& d = state->directions.of(side);
@@ -173,6 +174,22 @@ DirectionsChoice choiceAt(int index) {
                         : DirectionsChoice::Automatic;
 }
 
+/// The choices of the axis: none, X, Y, Z, direction 1.
+int axisIndex(const DirectionLimits& limits) {
+    if (!limits.axis)
+        return 0;
+    for (int k = 0; k < 3; ++k)
+        if (limits.axis->cwiseAbs() == Eigen::Vector3d::Unit(k))
+            return k + 1;
+    return 4;
+}
+
+std::optional<Eigen::Vector3d> axisAt(int index, const Project& project) {
+    if (index == 0 || (index == 4 && !project.state))
+        return std::nullopt;
+    return index == 4 ? project.state->directions.d1 : Eigen::Vector3d(Eigen::Vector3d::Unit(index - 1));
+}
+
 struct Edit {
     QString words;
     Project after;
@@ -207,7 +224,11 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
     if (id == u"draft"_s)
         design.draftDegrees = number;
     else if (id == u"tilt"_s)
-        design.maxTiltDegrees = number;
+        design.limits.maxTiltDegrees = number;
+    else if (id == u"axis"_s)
+        design.limits.axis = axisAt(value.toInt(), project);
+    else if (id == u"cone"_s)
+        design.limits.coneDegrees = number;
     else if (id == u"choice"_s)
         design.directionsChoice = choiceAt(value.toInt());
     else if (id == u"method"_s)
@@ -239,7 +260,9 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     panel.setValue(u"y"_s, box.center().y());
     panel.setValue(u"z"_s, box.center().z());
     panel.setValue(u"draft"_s, project.design.draftDegrees);
-    panel.setValue(u"tilt"_s, project.design.maxTiltDegrees);
+    panel.setValue(u"tilt"_s, project.design.limits.maxTiltDegrees);
+    panel.setValue(u"axis"_s, axisIndex(project.design.limits));
+    panel.setValue(u"cone"_s, project.design.limits.coneDegrees);
     panel.setValue(u"method"_s, project.design.method == DeformationMethod::Paper ? 1 : 0);
     panel.setValue(u"fill"_s, project.design.fill == FillChoice::Auto ? 1 : 0);
     panel.setValue(u"choice"_s, project.design.directionsChoice == DirectionsChoice::Normal  ? 1
@@ -250,9 +273,12 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     fillProof(panel, bench);
     fillMold(panel, bench);
     fillObstruction(panel, bench);
+    fillUndercutPage(panel, bench);
 }
 
 void applyProperty(Workbench& bench, const QString& id, const QVariant& value, bool preview) {
+    if (applyTreatment(bench, id, value.toInt()))
+        return;
     const auto edit = editFor(bench.document().committed(), id, value);
     if (!edit)
         bench.document().endPreview();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "castability/plane_search.h"
+#include "design/filling.h"
 #include "exchange/mesh_file.h"
 #include "mesh/check.h"
 #include "mold/mold.h"
@@ -146,6 +147,22 @@ public:
     void findBestDirections();
     void setState(const MoldState& state, const QString& words, const QString& mergeKey = {});
 
+    // Undercuts that can be filled one by one
+    /// Looks for them; undercuts() has them then.
+    void findUndercuts();
+    [[nodiscard]] bool undercutsKnown() const;
+    /// Those of the part at its plane, the largest first; none while they are not known.
+    [[nodiscard]] const std::vector<FillableUndercut>& undercuts() const;
+    /// A box about one of them, mm.
+    [[nodiscard]] Eigen::AlignedBox3d placeOfUndercut(int undercut) const;
+    /// What was chosen for one of them; none: the rule.
+    [[nodiscard]] std::optional<UndercutChoice::Treatment> treatmentOf(int undercut) const;
+    void treat(int undercut, std::optional<UndercutChoice::Treatment> treatment);
+    /// Where filling would take an obstruction away; empty where that is not known.
+    [[nodiscard]] std::vector<Eigen::Vector3d> placesToFill(int obstruction) const;
+    [[nodiscard]] bool willBeFilled(int obstruction) const;
+    void fillObstruction(int obstruction);
+
     // The cast and its mold
     void run();
     /// Fills what no bending frees, in this run and the next.
@@ -175,6 +192,7 @@ Q_SIGNALS:
     void advised(const moldwright::Advice& advice);
     /// A run found obstructions().
     void obstructed();
+    void undercutsFound();
     void moldBuilt();
     void saved();
     void reportWritten(const QString& file);
@@ -189,6 +207,7 @@ private:
     void tellOfCast(const DesignResult& result);
     void tellOfStop(const DesignResult& result);
     void pullFrames();
+    [[nodiscard]] int undercutOf(const UndercutChoice& choice) const;
     void askAnalysis();
     void askPart();
     void forgetOldMaps();
@@ -219,6 +238,11 @@ private:
     std::vector<Obstruction> m_obstructions;
     SharedMesh m_obstructedPart;
     std::optional<MoldState> m_obstructedState;
+    struct {
+        SharedMesh part;
+        std::optional<MoldState> state;
+        std::vector<FillableUndercut> list;
+    } m_undercuts; ///< of this part at this state
     std::shared_ptr<const Mold> m_mold;
     std::array<scene::SharedDrawnMesh, 2> m_drawnHalves;
     std::shared_ptr<const CastResult> m_moldCast;

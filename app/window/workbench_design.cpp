@@ -14,7 +14,7 @@ namespace {
 PlaneSearch searchFor(const DesignSettings& settings) {
     PlaneSearch search;
     search.draftDegrees = settings.draftDegrees;
-    search.maxTiltDegrees = settings.maxTiltDegrees;
+    search.limits = settings.limits;
     search.normalDirections = settings.directionsChoice == DirectionsChoice::Normal;
     search.seed = settings.seed;
     return search;
@@ -46,7 +46,8 @@ std::vector<PlaneCandidate> workablePlanes(const IndexedMesh& part, const Design
 DesignRequest requestFor(const Project& project) {
     DesignRequest request;
     request.part = project.part;
-    if (project.planeChosenByHand && project.state) {
+    // Which undercuts there are depends on the plane: choices among them hold it.
+    if ((project.planeChosenByHand || !project.undercuts.empty()) && project.state) {
         request.plane = project.state->plane;
         request.directions = project.state->directions;
     }
@@ -54,7 +55,8 @@ DesignRequest requestFor(const Project& project) {
     if (request.directionsChoice == DirectionsChoice::Given && !request.plane)
         request.directionsChoice = DirectionsChoice::Automatic;
     request.draftDegrees = project.design.draftDegrees;
-    request.maxTiltDegrees = project.design.maxTiltDegrees;
+    request.limits = project.design.limits;
+    request.undercuts = project.undercuts;
     request.method = project.design.method;
     request.fill = project.design.fill;
     request.pins = project.pins;
@@ -115,9 +117,15 @@ void Workbench::takeSuggestedPlane() {
 
 void Workbench::findBestDirections() {
     const Project from = m_document.committed();
+    if (!allows(from.design.limits, from.state->plane.normal)) {
+        say(Standing::Warning,
+            tr("No direction keeps to the axis and to the tilt limit at this plane. Turn the "
+               "plane, or allow more."));
+        return;
+    }
     m_background.start(tr("Searching directions"), [=, this](const Task&) -> Background::Finish {
-        const Directions directions = bestDirections(*from.part, from.state->plane, from.design.draftDegrees,
-                                                     from.design.maxTiltDegrees);
+        const Directions directions =
+            bestDirections(*from.part, from.state->plane, from.design.draftDegrees, from.design.limits);
         return [=, this] { setState({from.state->plane, directions}, tr("Best directions")); };
     });
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 
 namespace moldwright {
@@ -232,6 +233,23 @@ ObstructedPart obstructionsAt(const IndexedMesh& part, const MoldState& state,
             return {findObstructions(filled->surface.mesh, filled->surface.labels, filled->frame),
                     std::move(filled->surface)};
     return obstructionsAt(part, state);
+}
+
+int undercutNearest(const std::vector<FillableUndercut>& undercuts, const IndexedMesh& part,
+                    const Eigen::Vector3d& place) {
+    int found = -1;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < undercuts.size(); ++i) {
+        double distance = (undercuts[i].place - place).squaredNorm();
+        for (const int f : undercuts[i].faces)
+            for (int k = 0; k < 3; ++k)
+                distance = std::min(distance, (part.corner(f, k) - place).squaredNorm());
+        if (distance < nearest) {
+            nearest = distance;
+            found = static_cast<int>(i);
+        }
+    }
+    return found;
 }
 
 Result<std::vector<FillableUndercut>> fillableUndercuts(const IndexedMesh& part, const MoldState& state,

@@ -59,4 +59,8 @@ struct FillableUndercut {
 [[nodiscard]] Result<std::vector<FillableUndercut>>
 fillableUndercuts(const IndexedMesh& part, const MoldState& state, const Task& task);
 
+/// The undercut whose faces come nearest to a place, by their corners; −1 where there are none.
+[[nodiscard]] int undercutNearest(const std::vector<FillableUndercut>& undercuts, const IndexedMesh& part,
+                                  const Eigen::Vector3d& place);
+
 } // namespace moldwright

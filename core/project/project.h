@@ -67,6 +67,9 @@ struct Project {
     std::vector<double> faceWeights;        ///< per face of part; empty: all 1
     std::shared_ptr<const CastResult> cast; ///< none until a design finished
     MoldSettings mold;
+
+    /// Meshes and casts are equal where they are the same.
+    bool operator==(const Project&) const = default;
 };
 
 } // namespace moldwright

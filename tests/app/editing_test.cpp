@@ -79,7 +79,7 @@ TEST(Editing, DraggingAnArrowTurnsItsDirectionInOneUndoStepAndARunTakesItAsItIs)
     EXPECT_EQ(driver.bench().document().history().steps().size(), 1U);
     driver.shot("15-direction");
     driver.press("Ctrl+Z");
-    EXPECT_TRUE(sameProject(driver.bench().document().committed(), before));
+    EXPECT_TRUE(driver.bench().document().committed() == before);
 }
 
 TEST(Editing, EscapeGivesUpADragOfAnArrow) {
@@ -152,11 +152,11 @@ TEST(Editing, AWalkOfEditsUndosAndRedosComesBackToEqualProjects) {
             document.redo();
         }
         ASSERT_LT(document.history().done(), states.size()) << "step " << step;
-        ASSERT_TRUE(sameProject(document.committed(), states[document.history().done()])) << "step " << step;
+        ASSERT_TRUE(document.committed() == states[document.history().done()]) << "step " << step;
     }
     while (document.history().canUndo())
         document.undo();
-    EXPECT_TRUE(sameProject(document.committed(), states.front()));
+    EXPECT_TRUE(document.committed() == states.front());
 }
 
 TEST(Editing, TypingALengthScalesThePart) {

@@ -22,6 +22,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace moldwright;
 using test::WindowDriver;
 
@@ -164,9 +166,9 @@ TEST(WholeJob, AStoppedRunKeepsWhatItReachedInOneUndoStepAndCanGoOn) {
     driver.shot("21-stopped");
 
     driver.press("Ctrl+Z");
-    EXPECT_TRUE(sameProject(driver.bench().document().committed(), before));
+    EXPECT_TRUE(driver.bench().document().committed() == before);
     driver.press("Ctrl+Shift+Z");
-    EXPECT_TRUE(sameProject(driver.bench().document().committed(), stopped));
+    EXPECT_TRUE(driver.bench().document().committed() == stopped);
 
     driver.click("banner-action");
     ASSERT_TRUE(driver.bench().running());
@@ -183,7 +185,7 @@ TEST(WholeJob, ARunStoppedBeforeItHasAShapeLeavesThePartAsItWas) {
     ASSERT_TRUE(driver.bench().running());
     driver.press("Ctrl+.");
     ASSERT_TRUE(driver.waitIdle());
-    EXPECT_TRUE(sameProject(driver.bench().document().committed(), before));
+    EXPECT_TRUE(driver.bench().document().committed() == before);
 }
 
 TEST(WholeJob, AnObstructionIsMarkedListedShownAndFilled) {
@@ -242,4 +244,71 @@ TEST(WholeJob, AnObstructionIsMarkedListedShownAndFilled) {
     EXPECT_TRUE(driver.bench().obstructions().empty());
     driver.selectRow("cast");
     driver.shot("23-filled");
+}
+
+TEST(WholeJob, UndercutsAreFilledOneByOne) {
+    WindowDriver driver;
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "ring.ply";
+    const IndexedMesh ring = test::rotated(test::torus(30, 10, 48, 20), Eigen::Vector3d::UnitX(), 1.5);
+    ASSERT_TRUE(writeMesh(file, ring, MeshFormat::Ply));
+    ASSERT_TRUE(driver.openMesh(QString::fromStdString(file.string()), 80));
+    driver.selectRow("plane");
+    driver.type("field-offset", "1");
+    auto* panel = driver.window().findChild<PropertyPanel*>();
+
+    // All undercuts of this plane. The ring's hole, above and below, is one that no bending frees.
+    driver.press("Ctrl+Shift+U");
+    ASSERT_TRUE(driver.waitIdle(60000));
+    EXPECT_EQ(panel->pageId(), QStringLiteral("undercuts"));
+    const auto& undercuts = driver.bench().undercuts();
+    const auto needed = std::ranges::find_if(undercuts, [](const auto& undercut) { return undercut.needed; });
+    ASSERT_NE(needed, undercuts.end());
+    const auto hole = static_cast<int>(needed - undercuts.begin());
+    driver.shot("24-undercuts");
+
+    // It is chosen to be filled, in one step that can be undone.
+    driver.selectRow(("undercut-" + std::to_string(hole)).c_str());
+    auto* treatment = driver.window().findChild<QComboBox*>(QStringLiteral("choice-treatment-%1").arg(hole));
+    ASSERT_TRUE(treatment);
+    treatment->setFocus();
+    QTest::keyClick(treatment, Qt::Key_End);
+    EXPECT_EQ(driver.bench().treatmentOf(hole), UndercutChoice::Treatment::Fill);
+    driver.shot("25-undercut");
+    driver.press("Ctrl+Z");
+    EXPECT_EQ(driver.bench().treatmentOf(hole), std::nullopt);
+
+    // Where nothing is filled by rule it stands in the way, and is accepted from the obstruction's page.
+    driver.selectRow("deform");
+    auto* fill = driver.window().findChild<QComboBox*>(QStringLiteral("choice-fill"));
+    ASSERT_TRUE(fill);
+    fill->setFocus();
+    QTest::keyClick(fill, Qt::Key_Up);
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitIdle(180000));
+    ASSERT_FALSE(driver.bench().obstructions().empty());
+    EXPECT_FALSE(driver.bench().willBeFilled(0));
+    driver.click("button-fill-here");
+    EXPECT_TRUE(driver.bench().willBeFilled(0));
+    driver.shot("26-to-be-filled");
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitIdle(180000));
+    ASSERT_TRUE(driver.bench().project().cast);
+    EXPECT_EQ(verdict(driver), QStringLiteral("Castable"));
+    EXPECT_GT(driver.bench().project().cast->change.filledVolumeFraction, 0.05);
+}
+
+TEST(WholeJob, DirectionsKeepToThePressAxis) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.selectRow("plane");
+    auto* axis = driver.window().findChild<QComboBox*>(QStringLiteral("choice-axis"));
+    ASSERT_TRUE(axis);
+    axis->setFocus();
+    QTest::keyClick(axis, Qt::Key_Z);
+    EXPECT_EQ(driver.bench().project().design.limits.axis, Eigen::Vector3d(0, 0, 1));
+    driver.press("Ctrl+B");
+    ASSERT_TRUE(driver.waitIdle(60000));
+    EXPECT_EQ(std::abs(driver.bench().project().state->directions.d1.z()), 1);
+    EXPECT_EQ(std::abs(driver.bench().project().state->directions.d2.z()), 1);
 }

@@ -19,7 +19,7 @@ MoldState oblique() {
 }
 
 DirectionDrag dragOf(const MoldState& state, int side, const Camera& camera) {
-    DirectionDrag drag{state, side, Vector3d(1, 0, 2), {}, 30, 0, 0};
+    DirectionDrag drag{state, side, Vector3d(1, 0, 2), {}, {30}, 0, 0};
     drag.tip = drag.middle + 20 * state.directions.of(side);
     const Vector3d pixel = camera.project(drag.tip, view);
     drag.x = pixel.x();
@@ -68,5 +68,19 @@ TEST(DirectionDrag, ItSnapsToTheNormalAndStopsAtTheLimit) {
         const double coarse = tiltAfter(drag, camera, 60, true);
         EXPECT_NEAR(coarse, 5 * std::round(coarse / 5), 1e-9);
         EXPECT_GT(coarse, 0);
+    }
+}
+
+TEST(DirectionDrag, ItStaysWithinTheConeOfThePressAxis) {
+    const Camera camera = lookingFrom({}, Vector3d(2, -1, 0.3));
+    for (const int side : {1, 2}) {
+        DirectionDrag drag = dragOf(oblique(), side, camera);
+        const Vector3d axis = leaning(drag.start.plane, 2, {10, 40});
+        drag.limits = {30, axis, 4};
+        for (const double right : {-500.0, -50.0, 200.0, 700.0}) {
+            const MoldState moved = drag.moved(camera, view, drag.x + right, drag.y - 80, false);
+            const double cosine = std::abs(moved.directions.of(side).dot(axis));
+            EXPECT_LE(degrees(std::acos(std::min(1.0, cosine))), 4.001);
+        }
     }
 }

@@ -68,8 +68,9 @@ MoldState DirectionDrag::moved(const Camera& camera, ViewSize view, double toX, 
                 std::round(lean.wayDegrees / coarseWay) * coarseWay};
     else if (lean.tiltDegrees < snapDegrees)
         lean = {};
-    lean.tiltDegrees = std::min(lean.tiltDegrees, maxTiltDegrees);
-    return withDirection(start, side, leaning(start.plane, side, lean));
+    const std::optional<DirectionCap> cap = capWithin(limits, start.plane.normal, side);
+    const Eigen::Vector3d wanted = leaning(start.plane, side, lean);
+    return cap ? withDirection(start, side, cap->nearestTo(wanted)) : start;
 }
 
 } // namespace moldwright::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/direction_limits.h"
 #include "castability/mold_state.h"
 #include "scene/camera.h"
 
@@ -25,14 +26,14 @@ struct Lean {
 [[nodiscard]] MoldState withDirection(const MoldState& state, int side, const Eigen::Vector3d& direction);
 
 /// A drag of an arrow's tip, from the state it started in. The arrow turns about the middle of the part;
-/// within 2° of the normal it snaps to it, and it never leans further than the limit. `coarse` rounds to 5°
+/// within 2° of the normal it snaps to it, and it never leaves the limits. `coarse` rounds to 5°
 /// of tilt and 15° of way.
 struct DirectionDrag {
     MoldState start;
     int side = 1;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< mm
     Eigen::Vector3d tip = Eigen::Vector3d::UnitZ();   ///< mm, where the drag began
-    double maxTiltDegrees = 30;
+    DirectionLimits limits;
     double x = 0; ///< pixel where the drag began
     double y = 0;
 

@@ -241,8 +241,7 @@ void PartView::takeHold(scene::Grip grip, const Eigen::Vector2d& at) {
     if (grip == scene::Grip::Direction1 || grip == scene::Grip::Direction2) {
         const int side = grip == scene::Grip::Direction1 ? 1 : 2;
         m_drag = scene::DirectionDrag{
-            *m_scene.state(), side,  m_scene.middle(), m_scene.arrowTip(side), m_maxTiltDegrees,
-            at.x(),           at.y()};
+            *m_scene.state(), side, m_scene.middle(), m_scene.arrowTip(side), m_limits, at.x(), at.y()};
     } else {
         m_drag = scene::PlaneDrag{*m_scene.state(), m_scene.rectangle(), grip, at.x(), at.y()};
     }

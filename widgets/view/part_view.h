@@ -38,8 +38,8 @@ public:
 
     /// Whether grips of plane and directions are shown and can be dragged.
     void setEditable(bool editable);
-    /// How far a direction may be dragged from the plane's normal.
-    void setTiltLimit(double degrees) { m_maxTiltDegrees = degrees; }
+    /// Where a direction may be dragged to.
+    void setDirectionLimits(const DirectionLimits& limits) { m_limits = limits; }
 
     /// What a click on the surface means, under a crossing pointer: faceClicked() or pointClicked().
     enum class Picking { Nothing, Face, Place };
@@ -131,7 +131,7 @@ private:
     scene::Camera m_easeFrom;
     scene::Camera m_easeTo;
     bool m_editable = false;
-    double m_maxTiltDegrees = 30;
+    DirectionLimits m_limits;
     Picking m_picking = Picking::Nothing;
     std::optional<std::variant<scene::PlaneDrag, scene::DirectionDrag>> m_drag;
     std::optional<scene::Grip> m_hovered; ///< the grip under the pointer, or held
