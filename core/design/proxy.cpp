@@ -116,9 +116,10 @@ std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail, const T
         for (PlacedPin& pin : pins)
             if (pin.surfacePoint >= 0)
                 pin.surfacePoint = reduction.pointNow[static_cast<std::size_t>(pin.surfacePoint)];
-        return Proxy{{{part.state, part.frame, labelled(std::move(reduction.mesh)), 0, std::move(pins)},
-                      std::move(*tets)},
-                     std::move(reduction.pointNow)};
+        return Proxy{
+            {{part.state, part.frame, labelled(std::move(reduction.mesh)), 0, false, std::move(pins), {}},
+             std::move(*tets)},
+            std::move(reduction.pointNow)};
     }
     return std::nullopt;
 }
