@@ -305,10 +305,19 @@ void MainWindow::showMold(scene::Scene& scene, bool shown) {
 }
 
 void MainWindow::useLook() {
+    const std::vector<ViewPane*>& shown = m_views->shown();
     for (const ViewPane* pane : m_views->made()) {
-        scene::Scene& scene = pane->view().scene();
-        scene.setLook(theme().scene, pane->view().devicePixelRatioF());
-        scene.setHalves(nullptr, nullptr, Eigen::Isometry3d::Identity(), {}); // their colours are the theme's
+        PartView* view = &pane->view();
+        const auto look = [view] {
+            view->scene().setLook(theme().scene, view->devicePixelRatioF());
+            // The halves' colours are the theme's.
+            view->scene().setHalves(nullptr, nullptr, Eigen::Isometry3d::Identity(), {});
+        };
+        // What is out of sight comes later, one after the other: each takes its time.
+        if (std::ranges::find(shown, pane) != shown.end())
+            look();
+        else
+            QTimer::singleShot(0, view, look);
     }
 }
 
