@@ -562,6 +562,8 @@
     <message>
         <source>Turn the view once around and write an animated PNG. Esc stops.</source>
         <translation>Die Ansicht einmal herumdrehen und als animiertes PNG schreiben. Esc hält an.</translation>
+    </message>
+    <message>
         <source>Find &amp;undercuts</source>
         <translation>Hinterschnitte &amp;suchen</translation>
     </message>
@@ -2614,18 +2616,6 @@
     <message>
         <source>Draft %1 or more</source>
         <translation>Schräge %1 oder mehr</translation>
-    <name>UndercutPages</name>
-    <message>
-        <source>Undercut %1</source>
-        <translation>Hinterschnitt %1</translation>
-    </message>
-    <message>
-        <source>fill, %1</source>
-        <translation>füllen, %1</translation>
-    </message>
-    <message>
-        <source>bend, %1</source>
-        <translation>biegen, %1</translation>
     </message>
     <message>
         <source>Undercuts</source>
@@ -2760,6 +2750,27 @@
     <message>
         <source>Angle</source>
         <translation>Winkel</translation>
+    </message>
+</context>
+<context>
+    <name>UndercutPages</name>
+    <message>
+        <source>Undercut %1</source>
+        <translation>Hinterschnitt %1</translation>
+    </message>
+    <message>
+        <source>fill, %1</source>
+        <translation>füllen, %1</translation>
+    </message>
+    <message>
+        <source>bend, %1</source>
+        <translation>biegen, %1</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
         <source>What a half cannot leave at this plane, region by region.</source>
         <translation>Woraus sich an dieser Ebene keine Hälfte löst, Stelle für Stelle.</translation>
     </message>
