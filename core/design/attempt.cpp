@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "castability/analysis.h"
 #include "castability/float_rounding.h"
+#include "castability/placed_cast.h"
 #include "design/castable_shape.h"
 #include "design/comparison.h"
 #include "design/pins_in_plane.h"
@@ -114,6 +115,13 @@ Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& r
                         attempt, run);
 }
 
+/// Whether the proof stands in the mold's frame too. Where a skirt nearly touches another surface, floats
+/// that fall otherwise may make them cross.
+bool holdsInMold(const DesignResult& result, double draftDegrees) {
+    const PlacedCast placed = placeCast(*result.cast, result.labels, result.state, draftDegrees);
+    return certify(placed.mesh, result.labels, placed.state, draftDegrees).holds();
+}
+
 /// Everything filled, with draft: then nothing needs bending, and only the finish has a little to do.
 Result<DesignResult> fillWholly(const Attempt& attempt, const ShapeGoal& goal, const Task& task,
                                 DesignRun& run) {
@@ -126,11 +134,17 @@ Result<DesignResult> fillWholly(const Attempt& attempt, const ShapeGoal& goal, c
     if (!part)
         return std::unexpected(part.error());
     // Clean-up alone is quickest; where it makes something cross, motion comes first.
-    BentShape asItIs{surfaceAt(*part, part->surface.mesh.V), 0, false, part->pins};
-    Result<DesignResult> result = finishAndProve(*part, asItIs, goal, task, run);
-    asItIs.followed = true;
-    return result && !result->castable && !task.stopped() ? finishAndProve(*part, asItIs, goal, task, run)
-                                                          : result;
+    Result<DesignResult> result;
+    for (const bool followed : {false, true}) {
+        const BentShape asItIs{surfaceAt(*part, part->surface.mesh.V), 0, followed, part->pins};
+        result = finishAndProve(*part, asItIs, goal, task, run);
+        if (!result || task.stopped())
+            break;
+        result->castable = result->castable && holdsInMold(*result, goal.draftDegrees);
+        if (result->castable)
+            break;
+    }
+    return result;
 }
 
 /// The part with tetrahedra inside; parted with more caution where TetGen refuses it.

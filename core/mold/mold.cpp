@@ -2,10 +2,10 @@
 #include "mold/mold.h"
 
 #include "castability/parting_curves.h"
+#include "castability/placed_cast.h"
 #include "mesh/measures.h"
 #include "mold/block.h"
 #include "mold/half.h"
-#include "mold/placed_cast.h"
 #include "mold/release.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "mold/placed_cast.h"
+#include "castability/placed_cast.h"
 
 #include "castability/certificate.h"
 #include "castability/float_rounding.h"
