@@ -96,6 +96,7 @@ private:
     void addBlock(const BodyShape& shape, bool faces, std::span<const int> elements);
     void indexPlaces();
     void makePattern();
+    void indexTerms();
     void fillLaplacian();
     /// Runs perLane(lane, whether a face, points of its corners) over the lanes that are not idle.
     template <class PerLane>
@@ -122,7 +123,8 @@ private:
     std::vector<int> m_placesStart; ///< of each point, into m_places
     std::vector<int> m_places;      ///< places of each point, ascending
     Eigen::SparseMatrix<double> m_laplacian;
-    std::vector<std::array<int, 10>> m_entries; ///< of each lane's pairs of corners in the Laplacian
+    std::vector<int> m_termsStart; ///< of each entry of the Laplacian, into m_terms
+    std::vector<int> m_terms;      ///< what is added to it: pairs of corners of all lanes in turn, ascending
 };
 
 /// Cotangent Laplacian of a surface, lower triangle, positive semidefinite, n×n with n = V.rows(): Σ area

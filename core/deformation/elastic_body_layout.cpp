@@ -15,10 +15,16 @@ namespace moldwright {
 namespace {
 
 constexpr std::size_t kGrain = 256;
+constexpr std::size_t kEntryGrain = 8192;
 
 /// Corner pairs (a ≥ b) of an element in the order of their entries: those of a face come first.
 constexpr int kPairs[10][2] = {{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1},
                                {2, 2}, {3, 0}, {3, 1}, {3, 2}, {3, 3}};
+constexpr std::size_t kPairCount = 10;
+
+constexpr std::size_t pairsOf(bool face) {
+    return face ? 6 : kPairCount;
+}
 
 /// The bits of a number below 2¹⁰ spread to every third place.
 std::uint64_t spread(std::uint64_t x) {
@@ -171,7 +177,6 @@ void ElasticBody::setRest(const Points& V, const std::vector<double>& tetWeights
 }
 
 void ElasticBody::makePattern() {
-    m_entries.resize(m_elementOfLane.size());
     // Which lanes meet in a column: those whose pairs have it as the lower corner.
     std::vector<std::vector<int>> rows(static_cast<std::size_t>(m_points));
     for (std::size_t v = 0; v < rows.size(); ++v)
@@ -180,7 +185,7 @@ void ElasticBody::makePattern() {
         for (std::size_t lane = block.firstBatch * L; lane < (block.firstBatch + block.batches) * L; ++lane) {
             if (m_elementOfLane[lane] < 0)
                 continue;
-            for (int pair = 0; pair < (block.faces ? 6 : 10); ++pair) {
+            for (std::size_t pair = 0; pair < pairsOf(block.faces); ++pair) {
                 const auto point = [&](int k) {
                     return m_pointOfPlace[block.firstPlace +
                                           static_cast<std::size_t>(m_batches[lane / L].corner[k][lane % L])];
@@ -208,32 +213,55 @@ void ElasticBody::makePattern() {
         std::copy(rows[v].begin(), rows[v].end(), row + start[v]);
         start[v + 1] = start[v] + static_cast<int>(rows[v].size());
     }
+    indexTerms();
+}
+
+/// The entry of the Laplacian that each lane's pairs of corners add to, turned round.
+void ElasticBody::indexTerms() {
+    const int* start = m_laplacian.outerIndexPtr();
+    const int* row = m_laplacian.innerIndexPtr();
+    std::vector<int> entryOfTerm(m_elementOfLane.size() * kPairCount, -1);
     overLanes([&](std::size_t lane, bool face, const std::array<int, 4>& corners) {
-        for (std::size_t pair = 0; pair < (face ? 6U : 10U); ++pair) {
+        for (std::size_t pair = 0; pair < pairsOf(face); ++pair) {
             const auto [low, high] = std::minmax({corners[static_cast<std::size_t>(kPairs[pair][0])],
                                                   corners[static_cast<std::size_t>(kPairs[pair][1])]});
-            m_entries[lane][pair] =
+            entryOfTerm[lane * kPairCount + pair] =
                 static_cast<int>(std::lower_bound(row + start[low], row + start[low + 1], high) - row);
         }
     });
+    m_termsStart.assign(static_cast<std::size_t>(m_laplacian.nonZeros()) + 1, 0);
+    for (const int entry : entryOfTerm)
+        if (entry >= 0)
+            ++m_termsStart[static_cast<std::size_t>(entry) + 1];
+    std::partial_sum(m_termsStart.begin(), m_termsStart.end(), m_termsStart.begin());
+    m_terms.resize(static_cast<std::size_t>(m_termsStart.back()));
+    std::vector<int> next(m_termsStart.begin(), m_termsStart.end() - 1);
+    for (std::size_t term = 0; term < entryOfTerm.size(); ++term)
+        if (const int entry = entryOfTerm[term]; entry >= 0)
+            m_terms[static_cast<std::size_t>(next[static_cast<std::size_t>(entry)]++)] =
+                static_cast<int>(term);
 }
 
 void ElasticBody::fillLaplacian() {
+    std::vector<double> terms(m_elementOfLane.size() * kPairCount);
+    overLanes([&](std::size_t lane, bool face, const std::array<int, 4>&) {
+        const Batch& batch = m_batches[lane / L];
+        Eigen::Matrix<double, 4, 3> g;
+        for (int k = 0; k < 9; ++k)
+            g(1 + k / 3, k % 3) = batch.gradient[k][lane % L];
+        g.row(0) = -(g.row(1) + g.row(2) + g.row(3));
+        for (std::size_t pair = 0; pair < pairsOf(face); ++pair)
+            terms[lane * kPairCount + pair] =
+                batch.weight[lane % L] * g.row(kPairs[pair][0]).dot(g.row(kPairs[pair][1]));
+    });
     double* value = m_laplacian.valuePtr();
-    std::fill_n(value, m_laplacian.nonZeros(), 0.0);
-    for (const Block& block : m_blocks)
-        for (std::size_t lane = block.firstBatch * L; lane < (block.firstBatch + block.batches) * L; ++lane) {
-            if (m_elementOfLane[lane] < 0)
-                continue;
-            const Batch& batch = m_batches[lane / L];
-            Eigen::Matrix<double, 4, 3> g;
-            for (int k = 0; k < 9; ++k)
-                g(1 + k / 3, k % 3) = batch.gradient[k][lane % L];
-            g.row(0) = -(g.row(1) + g.row(2) + g.row(3));
-            for (std::size_t pair = 0; pair < (block.faces ? 6U : 10U); ++pair)
-                value[m_entries[lane][pair]] +=
-                    batch.weight[lane % L] * g.row(kPairs[pair][0]).dot(g.row(kPairs[pair][1]));
+    parallelFor(m_termsStart.size() - 1, kEntryGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t entry = begin; entry < end; ++entry) {
+            value[entry] = 0;
+            for (int i = m_termsStart[entry]; i < m_termsStart[entry + 1]; ++i)
+                value[entry] += terms[static_cast<std::size_t>(m_terms[static_cast<std::size_t>(i)])];
         }
+    });
 }
 
 Eigen::SparseMatrix<double> surfaceLaplacian(const Points& V, const Triangles& F) {

@@ -10,9 +10,10 @@ namespace moldwright {
 
 /// Solves with a symmetric positive definite matrix whose pattern stays and whose numbers change: analysed
 /// once (METIS), factored often (CHOLMOD, supernodal, one BLAS thread: the same bits on any number of
-/// threads), solved oftener, in vector code of our own. Each factorisation is tried on one right-hand side;
-/// if its residual is poor (some OpenBLAS kernels miscompute), or CHOLMOD fails, Eigen's factorisation takes
-/// over for good. Not thread-safe; different solvers may work in different threads.
+/// threads), solved oftener, in vector code and on all threads by code of our own. The first factorisation is
+/// tried on one right-hand side; if its residual is poor (some OpenBLAS kernels miscompute), or CHOLMOD
+/// fails, Eigen's factorisation takes over for good. Not thread-safe; different solvers may work in different
+/// threads.
 class SparseSolver {
 public:
     SparseSolver();

@@ -2,6 +2,7 @@
 // Compiled with -O3, so that the loops over rows become vector code.
 #include "deformation/supernodal_solve.h"
 
+#include "base/parallel.h"
 #include "base/vector_code.h"
 
 #include <algorithm>
@@ -32,23 +33,27 @@ template <int W, int C>
     const double* column[W];
     for (int k = 0; k < W; ++k)
         column[k] = front.column(j + k);
+    double x[W][C];
     for (int c = 0; c < C; ++c) {
-        double* __restrict y = front.side(c);
-        double x[W];
+        double* y = front.side(c);
         for (int k = 0; k < W; ++k) {
             double value = y[j + k];
             for (int i = 0; i < k; ++i)
-                value -= column[i][j + k] * x[i];
-            x[k] = value / column[k][j + k];
-            y[j + k] = x[k];
-        }
-        for (int i = j + W; i < front.rows; ++i) {
-            double sum = column[0][i] * x[0];
-            for (int k = 1; k < W; ++k)
-                sum += column[k][i] * x[k];
-            y[i] -= sum;
+                value -= column[i][j + k] * x[i][c];
+            x[k][c] = value / column[k][j + k];
+            y[j + k] = x[k][c];
         }
     }
+    double* y = front.y;
+    const std::ptrdiff_t stride = front.rows;
+#pragma GCC ivdep
+    for (int i = j + W; i < front.rows; ++i)
+        for (int c = 0; c < C; ++c) {
+            double sum = column[0][i] * x[0][c];
+            for (int k = 1; k < W; ++k)
+                sum += column[k][i] * x[k][c];
+            y[c * stride + i] -= sum;
+        }
 }
 
 /// Takes all rows below out of W columns from j on and solves these.
@@ -92,67 +97,130 @@ template <int C>
 template <int C>
 [[gnu::always_inline]] inline void backward(const Front<C>& front) {
     int j = front.columns;
-    for (; j % 2 != 0; --j)
+    for (; j % 4 != 0; --j)
         backwardPanel<1>(front, j - 1);
-    for (; j > 0; j -= 2)
-        backwardPanel<2>(front, j - 2);
+    for (; j > 0; j -= 4)
+        backwardPanel<4>(front, j - 4);
 }
 
-/// Both passes over the supernodes, on right-hand sides in the factor's order; x: row by row, C numbers each.
+/// A solve of C right-hand sides along its plan.
 template <int C>
-void solveInOrder(const SupernodalFactor& L, std::vector<double>& x) {
-    int mostRows = 0;
-    for (int s = 0; s < L.supernodes; ++s)
-        mostRows = std::max(mostRows, L.firstRow[s + 1] - L.firstRow[s]);
-    std::vector<double> y(static_cast<std::size_t>(mostRows) * C);
-    const auto frontOf = [&](int s) {
-        Front<C> front{L.firstColumn[s + 1] - L.firstColumn[s], L.firstRow[s + 1] - L.firstRow[s],
-                       L.values + L.firstValue[s], y.data()};
-        const int* rows = L.rows + L.firstRow[s];
-        for (int i = 0; i < front.rows; ++i)
+class Solve {
+public:
+    Solve(const SupernodalFactor& L, const SolvePlan& plan, const double* B, double* X, std::ptrdiff_t stride)
+        : m_factor(L), m_plan(plan), m_B(B), m_X(X), m_stride(stride),
+          m_numbers(static_cast<std::size_t>(plan.places) * C) {}
+
+    void run() {
+        overSubtrees([&](const SolvePlan::Subtree& tree) { forwardIn(tree); });
+        join();
+        overSubtrees([&](const SolvePlan::Subtree& tree) { backwardIn(tree); });
+    }
+
+private:
+    using Subtree = SolvePlan::Subtree;
+
+    template <class Work>
+    void overSubtrees(const Work& work) {
+        parallelFor(m_plan.subtrees.size(), 1,
+                    [&](std::size_t begin, std::size_t) { work(m_plan.subtrees[begin]); });
+    }
+
+    double* at(int place) { return m_numbers.data() + static_cast<std::ptrdiff_t>(place) * C; }
+
+    void read(int row, int place) {
+        for (int c = 0; c < C; ++c)
+            at(place)[c] = m_B[m_factor.order[row] + c * m_stride];
+    }
+    void write(int row, int place) {
+        for (int c = 0; c < C; ++c)
+            m_X[m_factor.order[row] + c * m_stride] = at(place)[c];
+    }
+
+    Front<C> frontOf(int s, std::vector<double>& y) {
+        const SupernodalFactor& L = m_factor;
+        const int rows = L.firstRow[s + 1] - L.firstRow[s];
+        y.resize(std::max(y.size(), static_cast<std::size_t>(rows) * C));
+        const Front<C> front{L.firstColumn[s + 1] - L.firstColumn[s], rows, L.values + L.firstValue[s],
+                             y.data()};
+        const int* place = m_plan.place.data() + L.firstRow[s];
+        for (int i = 0; i < rows; ++i)
             for (int c = 0; c < C; ++c)
-                front.side(c)[i] = x[static_cast<std::size_t>(rows[i]) * C + static_cast<std::size_t>(c)];
+                front.side(c)[i] = at(place[i])[c];
         return front;
-    };
-    const auto putBack = [&](int s, const Front<C>& front, int count) {
-        const int* rows = L.rows + L.firstRow[s];
+    }
+    void putBack(int s, const Front<C>& front, int count) {
+        const int* place = m_plan.place.data() + m_factor.firstRow[s];
         for (int i = 0; i < count; ++i)
             for (int c = 0; c < C; ++c)
-                x[static_cast<std::size_t>(rows[i]) * C + static_cast<std::size_t>(c)] = front.side(c)[i];
-    };
-    for (int s = 0; s < L.supernodes; ++s) {
-        const Front<C> front = frontOf(s);
+                at(place[i])[c] = front.side(c)[i];
+    }
+    void forwardAt(int s, std::vector<double>& y) {
+        const Front<C> front = frontOf(s, y);
         inVectorCode([&] { forward(front); });
         putBack(s, front, front.rows);
     }
-    for (int s = L.supernodes; s-- > 0;) {
-        const Front<C> front = frontOf(s);
+    void backwardAt(int s, std::vector<double>& y) {
+        const Front<C> front = frontOf(s, y);
         inVectorCode([&] { backward(front); });
         putBack(s, front, front.columns);
     }
-}
 
-template <int C>
-void solveColumns(const SupernodalFactor& L, const double* B, double* X, std::ptrdiff_t stride) {
-    std::vector<double> x(static_cast<std::size_t>(L.size) * C);
-    for (int i = 0; i < L.size; ++i)
-        for (int c = 0; c < C; ++c)
-            x[static_cast<std::size_t>(i) * C + static_cast<std::size_t>(c)] = B[L.order[i] + c * stride];
-    solveInOrder<C>(L, x);
-    for (int i = 0; i < L.size; ++i)
-        for (int c = 0; c < C; ++c)
-            X[L.order[i] + c * stride] = x[static_cast<std::size_t>(i) * C + static_cast<std::size_t>(c)];
-}
+    void forwardIn(const Subtree& tree) {
+        std::vector<double> y;
+        const int firstRow = m_factor.firstColumn[tree.firstSupernode];
+        for (int row = firstRow; row < m_factor.firstColumn[tree.endSupernode]; ++row)
+            read(row, tree.ownPlace + row - firstRow);
+        for (int s = tree.firstSupernode; s < tree.endSupernode; ++s)
+            forwardAt(s, y);
+    }
+
+    void backwardIn(const Subtree& tree) {
+        std::vector<double> y;
+        std::copy_n(at(m_plan.joiningPlace), m_plan.joiningRows.size() * C, at(tree.joiningPlace));
+        for (int s = tree.endSupernode; s-- > tree.firstSupernode;)
+            backwardAt(s, y);
+        const int firstRow = m_factor.firstColumn[tree.firstSupernode];
+        for (int row = firstRow; row < m_factor.firstColumn[tree.endSupernode]; ++row)
+            write(row, tree.ownPlace + row - firstRow);
+    }
+
+    /// Both passes over the joining supernodes, after what the subtrees add to their rows.
+    void join() {
+        const int count = static_cast<int>(m_plan.joiningRows.size());
+        for (int i = 0; i < count; ++i) {
+            read(m_plan.joiningRows[static_cast<std::size_t>(i)], m_plan.joiningPlace + i);
+            for (const Subtree& tree : m_plan.subtrees)
+                for (int c = 0; c < C; ++c)
+                    at(m_plan.joiningPlace + i)[c] += at(tree.joiningPlace + i)[c];
+        }
+        std::vector<double> y;
+        for (const int s : m_plan.joining)
+            forwardAt(s, y);
+        for (std::size_t i = m_plan.joining.size(); i-- > 0;)
+            backwardAt(m_plan.joining[i], y);
+        for (int i = 0; i < count; ++i)
+            write(m_plan.joiningRows[static_cast<std::size_t>(i)], m_plan.joiningPlace + i);
+    }
+
+    const SupernodalFactor& m_factor;
+    const SolvePlan& m_plan;
+    const double* m_B;
+    double* m_X;
+    std::ptrdiff_t m_stride;
+    std::vector<double> m_numbers; ///< the working array, C numbers a row
+};
 
 } // namespace
 
-void solveSupernodal(const SupernodalFactor& L, const double* B, double* X, int columns, int stride) {
+void solveSupernodal(const SupernodalFactor& L, const SolvePlan& plan, const double* B, double* X,
+                     int columns, int stride) {
     if (columns == 3)
-        solveColumns<3>(L, B, X, stride);
+        Solve<3>(L, plan, B, X, stride).run();
     else if (columns == 2)
-        solveColumns<2>(L, B, X, stride);
+        Solve<2>(L, plan, B, X, stride).run();
     else
-        solveColumns<1>(L, B, X, stride);
+        Solve<1>(L, plan, B, X, stride).run();
 }
 
 } // namespace moldwright

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "deformation/sparse_solver.h"
 
+#include "base/parallel.h"
 #include "base/vector_code.h"
 
 #include <gtest/gtest.h>
@@ -36,6 +37,29 @@ Matrix anyPositiveDefinite(int n, unsigned seed) {
     return A;
 }
 
+/// Cubes of n×n×n points each, a point bound to its six neighbours: large enough to be solved in subtrees.
+Matrix cubes(int n, int count) {
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto at = [&](int cube, int x, int y, int z) { return ((cube * n + x) * n + y) * n + z; };
+    for (int cube = 0; cube < count; ++cube)
+        for (int x = 0; x < n; ++x)
+            for (int y = 0; y < n; ++y)
+                for (int z = 0; z < n; ++z) {
+                    const int own = at(cube, x, y, z);
+                    entries.emplace_back(own, own, 6.1);
+                    if (x > 0)
+                        entries.emplace_back(own, at(cube, x - 1, y, z), -1);
+                    if (y > 0)
+                        entries.emplace_back(own, at(cube, x, y - 1, z), -1);
+                    if (z > 0)
+                        entries.emplace_back(own, at(cube, x, y, z - 1), -1);
+                }
+    const int size = count * n * n * n;
+    Matrix A(size, size);
+    A.setFromTriplets(entries.begin(), entries.end());
+    return A;
+}
+
 double residual(const Matrix& A, const Eigen::MatrixXd& X, const Eigen::MatrixXd& B) {
     return (A.selfadjointView<Eigen::Lower>() * X - B).norm() / B.norm();
 }
@@ -66,6 +90,24 @@ TEST_F(Solver, AnyNumberOfRightHandSidesAlikeForAnyVectorWidth) {
     for (const VectorCode code : {VectorCode::Plain, VectorCode::Avx2, VectorCode::Avx512}) {
         limitVectorCode(code);
         EXPECT_EQ(m_solver.solve(B), X);
+    }
+}
+
+TEST(LargeSystem, SolvedInSubtreesAlikeForAnyNumberOfThreads) {
+    for (const int count : {1, 3}) {
+        const Matrix A = cubes(18, count);
+        const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.rows(), 3);
+        SparseSolver solver;
+        solver.analyze(A);
+        ASSERT_TRUE(solver.factor(A));
+        ASSERT_FALSE(solver.fellBack());
+        const Eigen::MatrixXd X = solver.solve(B);
+        EXPECT_LT(residual(A, X, B), 1e-14) << count;
+        for (const int threads : {1, 2, 4}) {
+            setThreadCount(threads);
+            EXPECT_EQ(solver.solve(B), X) << threads;
+        }
+        setThreadCount(0);
     }
 }
 
