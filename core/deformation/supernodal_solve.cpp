@@ -21,10 +21,12 @@ struct Front {
     int columns;
     int rows;
     const double* values;
-    double* y; ///< right-hand side c in y + c·rows
+    double* y; ///< right-hand side c in y + c·stride()
 
     [[nodiscard]] const double* column(int j) const { return values + static_cast<std::ptrdiff_t>(j) * rows; }
-    [[nodiscard]] double* side(int c) const { return y + static_cast<std::ptrdiff_t>(c) * rows; }
+    /// Room for a whole vector of zeros behind the last row.
+    [[nodiscard]] std::ptrdiff_t stride() const { return rows + kLanes; }
+    [[nodiscard]] double* side(int c) const { return y + c * stride(); }
 };
 
 /// Solves W columns from j on and takes them out of all rows below.
@@ -45,7 +47,7 @@ template <int W, int C>
         }
     }
     double* y = front.y;
-    const std::ptrdiff_t stride = front.rows;
+    const std::ptrdiff_t stride = front.stride();
 #pragma GCC ivdep
     for (int i = j + W; i < front.rows; ++i)
         for (int c = 0; c < C; ++c) {
@@ -56,29 +58,49 @@ template <int W, int C>
         }
 }
 
+/// Eight numbers in registers, whatever the width of the processor's: an array of sums would go through
+/// memory.
+using Vector [[gnu::vector_size(8 * kLanes)]] = double;
+
+[[gnu::always_inline]] inline void load(const double* from, Vector& to) {
+    __builtin_memcpy(&to, from, sizeof to);
+}
+
 /// Takes all rows below out of W columns from j on and solves these.
 template <int W, int C>
 [[gnu::always_inline]] inline void backwardPanel(const Front<C>& front, int j) {
-    double lanes[C][W][kLanes] = {};
-    const int first = j + W;
-    const int whole = first + (front.rows - first) / kLanes * kLanes;
-    for (int i = first; i < whole; i += kLanes)
-        for (int c = 0; c < C; ++c)
+    Vector lanes[C][W] = {};
+    const auto add = [&](const Vector(&column)[W], int i) __attribute__((always_inline)) {
+        for (int c = 0; c < C; ++c) {
+            Vector y;
+            load(front.side(c) + i, y);
             for (int k = 0; k < W; ++k)
-                for (int l = 0; l < kLanes; ++l)
-                    lanes[c][k][l] += front.column(j + k)[i + l] * front.side(c)[i + l];
+                lanes[c][k] += column[k] * y;
+        }
+    };
+    int i = j + W;
+    for (; i + kLanes <= front.rows; i += kLanes) {
+        Vector column[W];
+        for (int k = 0; k < W; ++k)
+            load(front.column(j + k) + i, column[k]);
+        add(column, i);
+    }
+    if (i < front.rows) {
+        Vector column[W] = {};
+        for (int k = 0; k < W; ++k)
+            for (int l = 0; l < front.rows - i; ++l)
+                column[k][l] = front.column(j + k)[i + l];
+        add(column, i);
+    }
     for (int c = 0; c < C; ++c) {
         double* y = front.side(c);
         double x[W];
         for (int k = W - 1; k >= 0; --k) {
             const double* column = front.column(j + k);
-            double sum = 0;
-            for (const double lane : lanes[c][k])
-                sum += lane;
-            for (int i = whole; i < front.rows; ++i)
-                sum += column[i] * y[i];
-            for (int i = k + 1; i < W; ++i)
-                sum += column[j + i] * x[i];
+            const Vector& v = lanes[c][k];
+            double sum = ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
+            for (int n = k + 1; n < W; ++n)
+                sum += column[j + n] * x[n];
             x[k] = (y[j + k] - sum) / column[j + k];
             y[j + k] = x[k];
         }
@@ -97,10 +119,10 @@ template <int C>
 template <int C>
 [[gnu::always_inline]] inline void backward(const Front<C>& front) {
     int j = front.columns;
-    for (; j % 4 != 0; --j)
+    for (; j % 2 != 0; --j)
         backwardPanel<1>(front, j - 1);
-    for (; j > 0; j -= 4)
-        backwardPanel<4>(front, j - 4);
+    for (; j > 0; j -= 2)
+        backwardPanel<2>(front, j - 2);
 }
 
 /// A solve of C right-hand sides along its plan.
@@ -140,13 +162,15 @@ private:
     Front<C> frontOf(int s, std::vector<double>& y) {
         const SupernodalFactor& L = m_factor;
         const int rows = L.firstRow[s + 1] - L.firstRow[s];
-        y.resize(std::max(y.size(), static_cast<std::size_t>(rows) * C));
+        y.resize(std::max(y.size(), static_cast<std::size_t>(rows + kLanes) * C));
         const Front<C> front{L.firstColumn[s + 1] - L.firstColumn[s], rows, L.values + L.firstValue[s],
                              y.data()};
         const int* place = m_plan.place.data() + L.firstRow[s];
         for (int i = 0; i < rows; ++i)
             for (int c = 0; c < C; ++c)
                 front.side(c)[i] = at(place[i])[c];
+        for (int c = 0; c < C; ++c)
+            std::fill_n(front.side(c) + rows, kLanes, 0.0);
         return front;
     }
     void putBack(int s, const Front<C>& front, int count) {
