@@ -10,8 +10,18 @@ namespace moldwright::render {
 
 namespace {
 
-constexpr std::array<const char*, 3> taskNames = {"report", "pictures", "thumbnail"};
+constexpr std::array<const char*, 4> taskNames = {"report", "pictures", "thumbnail", "draft"};
 constexpr int largestPicture = 8192;
+
+Eigen::Vector3d directionIn(const nlohmann::json& numbers) {
+    return {numbers.at(0).get<double>(), numbers.at(1).get<double>(), numbers.at(2).get<double>()};
+}
+
+MoldState stateIn(const nlohmann::json& order) {
+    const nlohmann::json& plane = order.at("plane");
+    return {{directionIn(plane), plane.at(3).get<double>()},
+            {directionIn(order.at("d1")), directionIn(order.at("d2"))}};
+}
 
 } // namespace
 
@@ -27,7 +37,12 @@ Result<Job> readJob(const std::string& json) {
             return refused();
         Job job;
         job.task = static_cast<Job::Task>(task - taskNames.begin());
-        job.project = parsed.at("project").get<std::string>();
+        const bool ofMesh = job.task == Job::Task::Draft;
+        job.source = parsed.at(ofMesh ? "mesh" : "project").get<std::string>();
+        if (ofMesh) {
+            job.state = stateIn(parsed);
+            job.draftDegrees = parsed.at("draft").get<double>();
+        }
         job.out = parsed.at("out").get<std::string>();
         job.width = std::clamp(parsed.value("width", job.width), 16, largestPicture);
         job.height = std::clamp(parsed.value("height", job.height), 16, largestPicture);
@@ -39,7 +54,7 @@ Result<Job> readJob(const std::string& json) {
 
 std::string jobText(const Job& job) {
     return nlohmann::json{{"task", taskNames.at(static_cast<std::size_t>(job.task))},
-                          {"project", job.project.string()},
+                          {"project", job.source.string()},
                           {"out", job.out.string()},
                           {"width", job.width},
                           {"height", job.height}}

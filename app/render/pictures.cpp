@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "render/pictures.h"
 
+#include "castability/analysis.h"
 #include "exchange/mesh_file.h"
 #include "mesh/measures.h"
 #include "scene/offscreen/picture.h"
@@ -135,6 +136,15 @@ Result<void> drawThumbnail(const Project& project, const std::filesystem::path& 
     view.setSurface(scene::drawnMesh(project.cast ? project.cast->mesh : project.part), {});
     return writeFileAtomically(
         file, scene::pngBytes(scene::renderPicture(view, **context, fromFrontRight, wide, high)));
+}
+
+Result<void> drawDraftMap(const SharedMesh& mesh, const MoldState& state, double draftDegrees,
+                          const std::filesystem::path& file, int wide, int high) {
+    const Result<std::unique_ptr<scene::EglContext>> context = scene::EglContext::create();
+    if (!context)
+        return std::unexpected(context.error());
+    const std::vector<double> draft = analyzeDraft(*mesh, state, draftDegrees, false).faceDraft;
+    return draw(**context, mesh, byDraft(draft, draftDegrees), fromFrontRight, wide, high, file);
 }
 
 } // namespace moldwright::render

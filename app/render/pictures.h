@@ -25,4 +25,8 @@ constexpr const char* openedPicture = "opened.png";
 [[nodiscard]] Result<void> drawThumbnail(const Project& project, const std::filesystem::path& file, int width,
                                          int height);
 
+/// Draws a mesh coloured by draft in a mold state, on white. Errors: as above.
+[[nodiscard]] Result<void> drawDraftMap(const SharedMesh& mesh, const MoldState& state, double draftDegrees,
+                                        const std::filesystem::path& file, int width, int height);
+
 } // namespace moldwright::render

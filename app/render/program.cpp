@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "render/program.h"
 
+#include "exchange/mesh_file.h"
 #include "project/project_file.h"
 #include "render/pictures.h"
 #include "render/report_job.h"
@@ -34,8 +35,18 @@ Result<void> report(const Job& job, int argc, char** argv) {
     return {};
 }
 
+Result<void> drawMesh(const Job& job) {
+    Result<ReadMesh> file = readMesh(job.source);
+    if (!file)
+        return std::unexpected(file.error());
+    return drawDraftMap(std::make_shared<const IndexedMesh>(std::move(file->mesh)), job.state,
+                        job.draftDegrees, job.out, job.width, job.height);
+}
+
 Result<void> draw(const Job& job) {
-    const Result<StoredProject> stored = openProject(job.project);
+    if (job.task == Job::Task::Draft)
+        return drawMesh(job);
+    const Result<StoredProject> stored = openProject(job.source);
     if (!stored)
         return std::unexpected(stored.error());
     if (job.task == Job::Task::Thumbnail)

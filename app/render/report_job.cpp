@@ -46,14 +46,14 @@ std::string bytesOf(const std::filesystem::path& file) {
 } // namespace
 
 Result<ReportAnswer> writeReport(const Job& job) {
-    const Result<StoredProject> stored = openProject(job.project);
+    const Result<StoredProject> stored = openProject(job.source);
     if (!stored)
         return std::unexpected(stored.error());
     const Result<Evaluation> evaluation = evaluate(stored->project);
     if (!evaluation)
         return std::unexpected(evaluation.error());
     const ReportData data =
-        projectReport(stored->project, *evaluation, sha256(bytesOf(job.project)), reportDate());
+        projectReport(stored->project, *evaluation, sha256(bytesOf(job.source)), reportDate());
     const QTemporaryDir folder;
     ReportAnswer answer;
     answer.missingPictures = orderPictures(job, folder);

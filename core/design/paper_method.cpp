@@ -30,6 +30,8 @@ Result<MoldState> stateFor(DesignRun& run) {
 /// Runs until the violating area stalls: it falls by less than a thousandth of itself in five steps.
 void plasticSteps(Elastoplastic& solver, DesignRun& run) {
     const DesignRequest& request = run.request();
+    if (analyzeDraft(solver.shape(), solver.state(), request.draftDegrees, false).castable())
+        return;
     std::vector<double> history;
     for (int step = 0; step < kPlasticSteps && !run.stopped(); ++step) {
         {

@@ -19,7 +19,6 @@ namespace {
 constexpr int kWaves = 40;
 constexpr double kWaveLength = 0.03; ///< of the diagonal; half to one and a half of it occur
 constexpr double kHeight = 0.0007;   ///< of the diagonal, rms
-constexpr double kReached = 0.7; ///< share of the faces wanted from which subdividing once more is too much
 
 struct Wave {
     Eigen::Vector3d number;
@@ -70,7 +69,7 @@ int main(int argc, char** argv) {
     }
     IndexedMesh mesh = std::move(file->mesh);
     const int faces = std::stoi(argv[3]);
-    while (mesh.faceCount() < kReached * faces)
+    while (mesh.faceCount() < faces)
         mesh = subdivide(mesh, 1);
     mesh = decimate(mesh, faces);
     roughen(mesh, argc > 4 ? static_cast<unsigned>(std::stoul(argv[4])) : 1);

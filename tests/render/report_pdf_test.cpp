@@ -5,8 +5,13 @@
 #include "project/edits.h"
 #include "project/project_file.h"
 #include "render/job.h"
+#include "render/pictures.h"
+#include "scene/offscreen/picture.h"
 #include "support/casts.h"
 #include "support/folders.h"
+#include "support/solids.h"
+
+#include <QImage>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,6 +24,15 @@ using namespace moldwright;
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+int redPixels(const std::filesystem::path& file) {
+    const QImage image(QString::fromStdString(file.string()));
+    int red = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            red += image.pixelColor(x, y).red() > 2 * image.pixelColor(x, y).green();
+    return red;
+}
 
 class Report : public testing::Test {
 protected:
@@ -87,12 +101,40 @@ TEST_F(Report, ThatCannotBeWrittenKeepsTheOldOne) {
     EXPECT_NE(run.err.find("could not be written"), std::string::npos) << run.err;
 }
 
+TEST(DraftJob, ReadsAMeshAndItsState) {
+    const Result<render::Job> job =
+        render::readJob(R"({"task": "draft", "mesh": "a.stl", "plane": [0, 0, 1, 2.5], "d1": [0, 0.6, 0.8],
+                            "d2": [0, 0, -1], "draft": 3, "out": "a.png"})");
+    ASSERT_TRUE(job.has_value());
+    EXPECT_EQ(job->source, "a.stl");
+    EXPECT_EQ(job->state.plane.offset, 2.5);
+    EXPECT_EQ(job->state.directions.d1, Eigen::Vector3d(0, 0.6, 0.8));
+    EXPECT_EQ(job->draftDegrees, 3);
+    EXPECT_FALSE(render::readJob(R"({"task": "draft", "mesh": "a", "plane": [0, 0], "out": "b"})"));
+}
+
+TEST(DraftMap, ShowsRedWhereAFaceIsUndercut) {
+    if (!scene::EglContext::create())
+        GTEST_SKIP() << "no graphics";
+    const test::ScratchFolder folder;
+    const auto ball = std::make_shared<const IndexedMesh>(test::sheared(test::ball(20, 3), 0, 0).mesh);
+    const auto redIn = [&](double offset) {
+        const MoldState state{{Eigen::Vector3d::UnitZ(), offset},
+                              {Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ()}};
+        const std::filesystem::path file = folder.path() / "map.png";
+        EXPECT_TRUE(render::drawDraftMap(ball, state, 0, file, 100, 100));
+        return redPixels(file);
+    };
+    EXPECT_EQ(redIn(0), 0);
+    EXPECT_GT(redIn(15), 100);
+}
+
 TEST(Job, ComesBackFromItsText) {
     const render::Job job{render::Job::Task::Thumbnail, "a b.moldwright", "out.png", 640, 480};
     const Result<render::Job> back = render::readJob(render::jobText(job));
     ASSERT_TRUE(back.has_value());
     EXPECT_EQ(back->task, job.task);
-    EXPECT_EQ(back->project, job.project);
+    EXPECT_EQ(back->source, job.source);
     EXPECT_EQ(back->width, 640);
     EXPECT_FALSE(render::readJob("{}").has_value());
     EXPECT_FALSE(render::readJob(R"({"task": "dance", "project": "a", "out": "b"})").has_value());
