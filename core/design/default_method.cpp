@@ -8,6 +8,7 @@
 #include "design/remedies.h"
 #include "design/stopwatch.h"
 #include "mesh/check.h"
+#include "mesh/measures.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,13 +28,21 @@ constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps,
 constexpr double kLimbVolume = 0.75; ///< share of its volume
 constexpr double kNearlyKept = 0.15; ///< missing shares, summed, that more detail may well bring back
 constexpr double kMuchLost = 0.25;   ///< missing shares, summed, from which filling is tried beside bending
+constexpr double kBarelyLost = 0.05; ///< missing shares of a limb that is not worth filling
+constexpr double kLimbReach = 0.15;  ///< of the diagonal: how far a limb's tip may be from its undercut
+constexpr int kLimbRounds = 2;       ///< in which lost limbs are kept by filling
 constexpr double kHopeless = 1;      ///< missing shares, summed, that no finer stand-in brings back
 
-/// By how much limbs fell short of what they are to keep, summed; 0: all kept.
+/// By how much a limb fell short of what it is to keep.
+double missing(const LimbMeasure& limb) {
+    return std::max(0.0, kLimbLength - limb.lengthRatio) + std::max(0.0, kLimbVolume - limb.volumeRatio);
+}
+
+/// The same of all limbs, summed; 0: all kept.
 double limbsLost(const DesignResult& result) {
     double lost = 0;
     for (const LimbMeasure& limb : result.limbs)
-        lost += std::max(0.0, kLimbLength - limb.lengthRatio) + std::max(0.0, kLimbVolume - limb.volumeRatio);
+        lost += missing(limb);
     return lost;
 }
 
@@ -159,24 +168,77 @@ Tries tryStates(const PinnedShape& part, MoldStates& states, DesignRun& run) {
     return tries;
 }
 
-/// As little as needed first: the less is filled, the more of the part is kept.
-void fillWhereWanted(const PinnedShape& part, const MoldStates& states, Tries& tries, DesignRun& run) {
-    const MoldState state = tries.first.value_or(states.best());
-    const Task task = run.task().part(0.95, 1);
-    const auto tryFilling = [&](FillExtent extent) {
-        tryQuickly(
-            {part.shape.get(), state, Filling{extent, run.request().undercuts}, Means::QuickProxy, part.pins},
-            tries, task, run);
-        // Filling all takes a moment; what is far from ending well is not bent again and again before that.
-        if (tries.castable() && limbsLost(*tries.best) > kHopeless)
-            tries.again.clear();
-        tryAgain(tries, task, run);
-    };
-    if (!tries.first && !run.stopped())
-        tryFilling(FillExtent::Needed);
-    if (tries.wantsFilling() && !run.stopped())
-        tryFilling(FillExtent::All);
+/// Has the undercuts filled that a result's lost limbs lie in. Returns whether any was new.
+bool chooseAtLostLimbs(const DesignResult& result, const std::vector<FillableUndercut>& undercuts,
+                       const IndexedMesh& shape, std::vector<UndercutChoice>& choices) {
+    const double reach = kLimbReach * diagonal(shape);
+    bool any = false;
+    for (const LimbMeasure& limb : result.limbs) {
+        if (missing(limb) <= kBarelyLost)
+            continue;
+        const int nearest = undercutNearest(undercuts, shape, limb.tip, reach);
+        if (nearest < 0)
+            continue;
+        const UndercutChoice choice{undercuts[static_cast<std::size_t>(nearest)].place,
+                                    UndercutChoice::Treatment::Fill};
+        if (std::ranges::find(choices, choice) != choices.end())
+            continue;
+        choices.push_back(choice);
+        any = true;
+    }
+    return any;
 }
+
+/// Fills a part at one state, ever more of it, where bending alone does not end well.
+class FillingTries {
+public:
+    FillingTries(const PinnedShape& part, const MoldState& state, Tries& tries, DesignRun& run)
+        : m_part(part), m_state(state), m_tries(tries), m_run(run), m_task(run.task().part(0.95, 1)) {}
+
+    /// As little as needed first: the less is filled, the more of the part is kept.
+    void run() {
+        const FillExtent least = m_tries.first ? FillExtent::Chosen : FillExtent::Needed;
+        const std::vector<UndercutChoice>& asked = m_run.request().undercuts;
+        if (least == FillExtent::Needed && !m_run.stopped())
+            fill({least, asked});
+        fillAtLostLimbs(least);
+        if (m_tries.wantsFilling() && !m_run.stopped())
+            fill({FillExtent::All, asked});
+    }
+
+private:
+    void fill(const Filling& filling) {
+        tryQuickly({m_part.shape.get(), m_state, filling, Means::QuickProxy, m_part.pins}, m_tries, m_task,
+                   m_run);
+        // Filling all takes a moment; what is far from ending well is not bent again and again before that.
+        if (m_tries.castable() && limbsLost(*m_tries.best) > kHopeless)
+            m_tries.again.clear();
+        tryAgain(m_tries, m_task, m_run);
+    }
+
+    /// Limbs that bending gave up are kept where they are, and the rest is bent: less than filling all.
+    void fillAtLostLimbs(FillExtent least) {
+        if (!m_tries.castable() || !m_tries.wantsFilling() || m_run.stopped())
+            return;
+        const auto undercuts = fillableUndercuts(*m_part.shape, m_state, m_task);
+        // What the designer chose stands last and counts.
+        std::vector<UndercutChoice> atLimbs;
+        for (int round = 0; undercuts && round < kLimbRounds && m_tries.wantsFilling() && !m_run.stopped();
+             ++round) {
+            if (!chooseAtLostLimbs(*m_tries.best, *undercuts, *m_part.shape, atLimbs))
+                break;
+            std::vector<UndercutChoice> choices = atLimbs;
+            choices.insert(choices.end(), m_run.request().undercuts.begin(), m_run.request().undercuts.end());
+            fill({least, choices});
+        }
+    }
+
+    const PinnedShape& m_part;
+    const MoldState& m_state;
+    Tries& m_tries;
+    DesignRun& m_run;
+    Task m_task;
+};
 
 void tellObstructions(DesignResult& result, ObstructedPart obstructed, const WorkingFrame& frame) {
     result.obstructions = std::move(obstructed.obstructions);
@@ -232,7 +294,7 @@ Result<DesignResult> bendPart(const PinnedShape& pinned, DesignRun& run) {
     if (!obstructed.obstructions.empty())
         offerRemedies(obstructed, shape, states->best(), run);
     if (run.request().fill == FillChoice::Auto)
-        fillWhereWanted(pinned, *states, tries, run);
+        FillingTries(pinned, tries.first.value_or(states->best()), tries, run).run();
     if (!tries.best) {
         if (run.stopped())
             return DesignRun::cancelled();

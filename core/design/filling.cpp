@@ -20,6 +20,14 @@ namespace {
 
 using Treatment = UndercutChoice::Treatment;
 
+/// The undercuts as they are offered for choice.
+Result<FillPlan> choicePlan(const PartedMesh& surface, const Directions& directions, const Task& task) {
+    Result<FillPlan> plan = planFill(surface, directions, task);
+    if (plan)
+        *plan = divided(std::move(*plan), directions, task);
+    return plan;
+}
+
 /// What the designer wants of the regions of a plan that choices speak of.
 std::map<int, Treatment> treatments(const FillPlan& plan, const std::vector<UndercutChoice>& choices,
                                     const WorkingFrame& frame) {
@@ -55,7 +63,7 @@ int pieces(const PartedMesh& surface) {
 
 Result<Filled> filledAsChosen(const PartedMesh& surface, const Directions& directions, const Filling& filling,
                               const WorkingFrame& frame, const Task& task) {
-    const Result<FillPlan> plan = planFill(surface, directions, task);
+    const Result<FillPlan> plan = choicePlan(surface, directions, task);
     if (!plan)
         return std::unexpected(plan.error());
     const std::map<int, Treatment> wanted = treatments(*plan, filling.choices, frame);
@@ -236,9 +244,9 @@ ObstructedPart obstructionsAt(const IndexedMesh& part, const MoldState& state,
 }
 
 int undercutNearest(const std::vector<FillableUndercut>& undercuts, const IndexedMesh& part,
-                    const Eigen::Vector3d& place) {
+                    const Eigen::Vector3d& place, double reach) {
     int found = -1;
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = reach * reach;
     for (std::size_t i = 0; i < undercuts.size(); ++i) {
         double distance = (undercuts[i].place - place).squaredNorm();
         for (const int f : undercuts[i].faces)
@@ -257,7 +265,7 @@ Result<std::vector<FillableUndercut>> fillableUndercuts(const IndexedMesh& part,
     const WorkingFrame frame(part, state);
     std::vector<FillableUndercut> undercuts;
     const auto use = [&](const PartedMesh& surface) -> std::optional<Error> {
-        const Result<FillPlan> plan = planFill(surface, frame.directionsToWork(state.directions), task);
+        const Result<FillPlan> plan = choicePlan(surface, frame.directionsToWork(state.directions), task);
         if (!plan)
             return plan.error();
         undercuts = undercutsOf(*plan, surface, frame);

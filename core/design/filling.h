@@ -3,6 +3,7 @@
 
 #include "design/parting.h"
 
+#include <limits>
 #include <vector>
 
 namespace moldwright {
@@ -59,8 +60,9 @@ struct FillableUndercut {
 [[nodiscard]] Result<std::vector<FillableUndercut>>
 fillableUndercuts(const IndexedMesh& part, const MoldState& state, const Task& task);
 
-/// The undercut whose faces come nearest to a place, by their corners; −1 where there are none.
+/// The undercut whose faces come nearest to a place, by their corners; −1 where none is within `reach`, mm.
 [[nodiscard]] int undercutNearest(const std::vector<FillableUndercut>& undercuts, const IndexedMesh& part,
-                                  const Eigen::Vector3d& place);
+                                  const Eigen::Vector3d& place,
+                                  double reach = std::numeric_limits<double>::infinity());
 
 } // namespace moldwright

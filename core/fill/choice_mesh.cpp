@@ -47,6 +47,30 @@ UnionFind hangingTogether(const ChoiceMesh& choices, const std::vector<int>& fac
     return groups;
 }
 
+/// Takes out pairs of faces that lie back to back on the same points: what is between them has no space.
+void dropDoubled(const ChoiceMesh& choices, std::vector<int>& surface) {
+    std::map<std::array<int, 3>, int> open; ///< by the corners from the lowest on: the face's place
+    std::vector<char> dropped(surface.size(), 0);
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+        const ChoiceFace& face = choices.faces[static_cast<std::size_t>(surface[i])];
+        if (face.made < 0)
+            continue;
+        std::array<int, 3> c = face.corners;
+        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        if (const auto back = open.find({c[0], c[2], c[1]}); back != open.end()) {
+            dropped[i] = dropped[static_cast<std::size_t>(back->second)] = 1;
+            open.erase(back);
+        } else {
+            open.emplace(c, static_cast<int>(i));
+        }
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < surface.size(); ++i)
+        if (!dropped[i])
+            surface[kept++] = surface[i];
+    surface.resize(kept);
+}
+
 } // namespace
 
 ChoiceMesh choicesBetween(const PartedMesh& part, const PartedMesh& filled) {
@@ -104,6 +128,31 @@ void renumber(ChoiceMesh& choices, const std::vector<int>& number) {
     choices.regions = number.empty() ? 0 : std::max(*std::max_element(number.begin(), number.end()) + 1, 0);
 }
 
+std::vector<int> numberByVolume(ChoiceMesh& choices, double nothing) {
+    const std::vector<double> volumes = volumesOf(choices);
+    std::vector<int> order;
+    for (std::size_t r = 0; r < volumes.size(); ++r)
+        if (volumes[r] > nothing)
+            order.push_back(static_cast<int>(r));
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return volumes[static_cast<std::size_t>(a)] > volumes[static_cast<std::size_t>(b)];
+    });
+    std::vector<int> number(volumes.size(), -1);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        number[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    renumber(choices, number);
+    return number;
+}
+
+void numberByVolume(ChoiceMesh& choices, std::vector<char>& marks, double nothing) {
+    const std::vector<int> number = numberByVolume(choices, nothing);
+    std::vector<char> known(static_cast<std::size_t>(choices.regions), 0);
+    for (std::size_t r = 0; r < number.size(); ++r)
+        if (number[r] >= 0)
+            known[static_cast<std::size_t>(number[r])] = marks[r];
+    marks = std::move(known);
+}
+
 std::vector<int> separateShells(ChoiceMesh& choices, int region) {
     std::vector<int> faces;
     for (std::size_t f = 0; f < choices.faces.size(); ++f)
@@ -152,24 +201,25 @@ std::vector<int> separateShells(ChoiceMesh& choices, int region) {
 
 PartedMesh surfaceWith(const ChoiceMesh& choices, const std::vector<char>& filled,
                        std::vector<int>& choiceOf) {
+    choiceOf.clear();
     const auto isFilled = [&](int region) { return filled[static_cast<std::size_t>(region)] != 0; };
+    for (std::size_t f = 0; f < choices.faces.size(); ++f) {
+        const ChoiceFace& face = choices.faces[f];
+        if ((face.made < 0 || isFilled(face.made)) && (face.covered < 0 || !isFilled(face.covered)))
+            choiceOf.push_back(static_cast<int>(f));
+    }
+    dropDoubled(choices, choiceOf);
     PartedMesh surface;
     surface.mesh.V.resize(static_cast<Eigen::Index>(choices.points.size()), 3);
     for (std::size_t v = 0; v < choices.points.size(); ++v)
         surface.mesh.V.row(static_cast<Eigen::Index>(v)) = choices.points[v].transpose();
-    surface.mesh.F.resize(static_cast<Eigen::Index>(choices.faces.size()), 3);
-    Eigen::Index count = 0;
-    choiceOf.clear();
-    for (std::size_t f = 0; f < choices.faces.size(); ++f) {
-        const ChoiceFace& face = choices.faces[f];
-        if ((face.made >= 0 && !isFilled(face.made)) || (face.covered >= 0 && isFilled(face.covered)))
-            continue;
-        surface.mesh.F.row(count++) << face.corners[0], face.corners[1], face.corners[2];
-        choiceOf.push_back(static_cast<int>(f));
+    surface.mesh.F.resize(static_cast<Eigen::Index>(choiceOf.size()), 3);
+    for (std::size_t i = 0; i < choiceOf.size(); ++i) {
+        const ChoiceFace& face = choices.faces[static_cast<std::size_t>(choiceOf[i])];
+        surface.mesh.F.row(static_cast<Eigen::Index>(i)) << face.corners[0], face.corners[1], face.corners[2];
         surface.labels.push_back(face.label);
         surface.sourceFace.push_back(face.source);
     }
-    surface.mesh.F.conservativeResize(count, 3);
     return surface;
 }
 

@@ -42,6 +42,13 @@ struct ChoiceMesh {
 /// Gives regions new numbers: `number` says which; −1 leaves a region as the part has it, beyond choice.
 void renumber(ChoiceMesh& choices, const std::vector<int>& number);
 
+/// Leaves what fills no more than `nothing` (cubed units) as the part has it, beyond choice; numbers the rest
+/// by falling volume. Returns the new numbers, −1 for what is left.
+std::vector<int> numberByVolume(ChoiceMesh& choices, double nothing);
+
+/// The same, keeping a mark per region.
+void numberByVolume(ChoiceMesh& choices, std::vector<char>& marks, double nothing);
+
 /// Divides a region into spaces that do not hang together. Returns the regions that it has become.
 std::vector<int> separateShells(ChoiceMesh& choices, int region);
 

@@ -4,6 +4,7 @@
 #include "castability/topology.h"
 #include "fill/caps.h"
 #include "fill/necks.h"
+#include "fill/needed_regions.h"
 #include "fill/projected_half.h"
 #include "fill/short_edges.h"
 #include "mesh/check.h"
@@ -14,22 +15,20 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <set>
-#include <span>
 #include <utility>
 
 namespace moldwright {
 
 namespace {
 
-constexpr int kDragRounds = 8;              ///< in which regions are added that others drag along
-constexpr double kNothing = 1e-12;          ///< of the part's volume: regions that fill less only turn edges
-constexpr double kShortest = 1e-4;          ///< of the size: of edges that dividing made, what stays
-constexpr double kFlat = 1e-8;              ///< of the size: triangles less high are all but a line
-constexpr std::array kLongest = {0.2, 0.4}; ///< of the size: how long a region may be that is needed
+constexpr double kNothing = 1e-12;    ///< of the part's volume: regions that fill less only turn edges
+constexpr double kShortest = 1e-4;    ///< of the size: of edges that dividing made, what stays
+constexpr double kFlat = 1e-8;        ///< of the size: triangles less high are all but a line
+constexpr double kDragged = 0.05;     ///< of what was chosen: how much more may be filled because it must
+constexpr double kChosenAlone = 0.25; ///< of the size: how long a region may be that can be left
 
 PartedMesh onGrid(const PartedMesh& part, const ShadowGrid& grid) {
     PartedMesh placed = part;
@@ -99,138 +98,41 @@ void joinIslands(ChoiceMesh& choices, const Directions& directions) {
     renumber(choices, number);
 }
 
-/// Leaves what fills nothing as the part has it; numbers the rest by falling volume. Returns the new numbers.
-std::vector<int> numberByVolume(ChoiceMesh& choices, double nothing) {
-    const std::vector<double> volumes = volumesOf(choices);
-    std::vector<int> order;
-    for (std::size_t r = 0; r < volumes.size(); ++r)
-        if (volumes[r] > nothing)
-            order.push_back(static_cast<int>(r));
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return volumes[static_cast<std::size_t>(a)] > volumes[static_cast<std::size_t>(b)];
-    });
-    std::vector<int> number(volumes.size(), -1);
-    for (std::size_t i = 0; i < order.size(); ++i)
-        number[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    renumber(choices, number);
-    return number;
+/// Whether the wall between two regions is on one side of the plane: else it would belong to both.
+bool isOnOneSide(const Eigen::AlignedBox3d& wall) {
+    const double tiny = kFlat * wall.diagonal().norm();
+    return wall.min().z() >= -tiny || wall.max().z() <= tiny;
 }
 
-bool castable(const ChoiceMesh& choices, const std::vector<char>& filled) {
-    std::vector<int> choiceOf;
-    const PartedMesh surface = surfaceWith(choices, filled, choiceOf);
-    return topologyAllowsCasting(surface.mesh, surface.labels) &&
-           closedManifold(surface.mesh.F, surface.mesh.vertexCount());
-}
-
-/// Leaves out as many regions as it can: all of them at once, else the first half, then the second.
-void leaveOut(const ChoiceMesh& choices, std::span<const int> regions, std::vector<char>& filled,
-              const Task& task) {
-    if (regions.empty() || task.stopped())
-        return;
-    for (const int region : regions)
-        filled[static_cast<std::size_t>(region)] = 0;
-    if (castable(choices, filled))
-        return;
-    for (const int region : regions)
-        filled[static_cast<std::size_t>(region)] = 1;
-    if (regions.size() == 1)
-        return;
-    leaveOut(choices, regions.first(regions.size() / 2), filled, task);
-    leaveOut(choices, regions.subspan(regions.size() / 2), filled, task);
-}
-
-/// Of the regions filled, the largest are left out first.
-void leaveOutWhatCanBe(const ChoiceMesh& choices, std::vector<char>& filled, const Task& task) {
-    std::vector<int> regions;
-    for (std::size_t r = 0; r < filled.size(); ++r)
-        if (filled[r])
-            regions.push_back(static_cast<int>(r));
-    leaveOut(choices, regions, filled, task);
-    // What one left out made superfluous: once more, one by one.
-    for (const int region : regions)
-        if (filled[static_cast<std::size_t>(region)])
-            leaveOut(choices, std::span(&region, 1), filled, task);
-}
-
-/// Where a surface that was to stay is crossed by one that filling makes, by the hair that tidying takes, its
-/// region is filled as well. Returns whether nothing crosses in the end.
-bool dragAlong(const ChoiceMesh& choices, std::vector<char>& filled, const Task& task) {
-    for (int round = 0; round < kDragRounds && !task.stopped(); ++round) {
-        std::vector<int> choiceOf;
-        const auto crossings = selfIntersections(surfaceWith(choices, filled, choiceOf).mesh);
-        if (crossings.empty())
-            return true;
-        for (const auto& [f, g] : crossings)
-            for (const int face : {f, g}) {
-                const int choice = choiceOf[static_cast<std::size_t>(face)];
-                if (const int region = choices.faces[static_cast<std::size_t>(choice)].covered; region >= 0)
-                    filled[static_cast<std::size_t>(region)] = 1;
-            }
-    }
-    return false;
-}
-
-/// Regions that hang together become one where they are alike: all needed, or none.
-void joinAlike(ChoiceMesh& choices, std::vector<char>& needed) {
-    UnionFind groups(choices.regions);
+/// Whether a cut leaves two regions of which either can be filled alone: nothing crosses about the cut.
+bool eachStandsAlone(const ChoiceMesh& choices, int region, int beyond) {
+    const auto at = [&](int v) -> const Eigen::Vector3d& {
+        return choices.points[static_cast<std::size_t>(v)];
+    };
+    Eigen::AlignedBox3d cut;
     for (const ChoiceFace& face : choices.faces)
-        if (face.made >= 0 && face.covered >= 0 &&
-            needed[static_cast<std::size_t>(face.made)] == needed[static_cast<std::size_t>(face.covered)])
-            groups.unite(face.made, face.covered);
-    std::vector<int> number;
-    number.reserve(static_cast<std::size_t>(choices.regions));
-    for (int r = 0; r < choices.regions; ++r)
-        number.push_back(groups.rootOf(r));
-    renumber(choices, number);
-    std::erase_if(choices.faces,
-                  [](const ChoiceFace& face) { return face.made >= 0 && face.made == face.covered; });
-}
-
-/// Numbers regions by volume and keeps what is known of them.
-void numberByVolume(ChoiceMesh& choices, std::vector<char>& needed, double nothing) {
-    const std::vector<int> number = numberByVolume(choices, nothing);
-    std::vector<char> known(static_cast<std::size_t>(choices.regions), 0);
-    for (std::size_t r = 0; r < number.size(); ++r)
-        if (number[r] >= 0)
-            known[static_cast<std::size_t>(number[r])] = needed[r];
-    needed = std::move(known);
-}
-
-/// Divides those of the regions that are marked at their necks and leaves out what can be of them. Returns
-/// whether what is left is a sound surface.
-bool divideAndLeaveOut(ChoiceMesh& choices, std::vector<char>& marked, const Directions& directions,
-                       double longest, double nothing, const Task& task) {
-    const int undivided = choices.regions;
-    for (int r = 0; r < undivided && !task.stopped(); ++r)
-        if (marked[static_cast<std::size_t>(r)])
-            divideAtNecks(choices, r, directions, longest, task);
-    marked.resize(static_cast<std::size_t>(choices.regions), 1);
-    numberByVolume(choices, marked, nothing);
-    leaveOutWhatCanBe(choices, marked, task);
-    if (task.stopped() || !dragAlong(choices, marked, task) || !castable(choices, marked))
+        for (const int v : face.corners)
+            if (face.made == region && face.covered == beyond)
+                cut.extend(at(v));
+    if (!isOnOneSide(cut))
         return false;
-    joinAlike(choices, marked);
-    numberByVolume(choices, marked, nothing);
-    return true;
-}
-
-/// Which regions the certificate asks for: first as they hang together, then those divided.
-std::vector<char> findNeeded(ChoiceMesh& choices, const Directions& directions, double size, double nothing,
-                             const Task& task) {
-    std::vector<char> whole(static_cast<std::size_t>(choices.regions), 1);
-    leaveOutWhatCanBe(choices, whole, task);
-    if (std::ranges::count(whole, 1) == 0)
-        return whole;
-    for (const double longest : kLongest) {
-        ChoiceMesh divided = choices;
-        std::vector<char> needed = whole;
-        if (!divideAndLeaveOut(divided, needed, directions, longest * size, nothing, task))
-            continue;
-        choices = std::move(divided);
-        return needed;
+    for (const int alone : {region, beyond}) {
+        std::vector<char> filled(static_cast<std::size_t>(choices.regions), 0);
+        filled[static_cast<std::size_t>(alone)] = 1;
+        std::vector<int> choiceOf;
+        const IndexedMesh surface = surfaceWith(choices, filled, choiceOf).mesh;
+        std::vector<int> near;
+        for (int f = 0; f < surface.faceCount(); ++f) {
+            Eigen::AlignedBox3d box;
+            for (int k = 0; k < 3; ++k)
+                box.extend(surface.corner(f, k));
+            if (box.intersects(cut))
+                near.push_back(f);
+        }
+        if (!selfIntersections({surface.V, surface.F(near, Eigen::all)}).empty())
+            return false;
     }
-    return whole;
+    return true;
 }
 
 std::vector<FillRegion> describe(const ChoiceMesh& choices, const std::vector<char>& needed) {
@@ -301,6 +203,22 @@ bool isSound(const IndexedMesh& mesh) {
            found.selfIntersections.empty();
 }
 
+/// The surface with the marked regions filled, if it is sound.
+std::optional<FilledPart> soundWith(const FillPlan& plan, const std::vector<char>& filled) {
+    FilledPart result;
+    std::vector<int> choiceOf;
+    result.surface = surfaceWith(plan.choices, filled, choiceOf);
+    finish(plan, result);
+    if (!closedManifold(result.surface.mesh.F, result.surface.mesh.vertexCount()))
+        return std::nullopt;
+    FilledPart rounder = result;
+    collapseShortEdges(rounder, kShortest * diagonal(plan.part.mesh));
+    flipCaps(rounder, kFlat * diagonal(plan.part.mesh));
+    if (isSound(rounder.surface.mesh))
+        return rounder;
+    return isSound(result.surface.mesh) ? std::optional(result) : std::nullopt;
+}
+
 } // namespace
 
 std::vector<int> FillPlan::needed() const {
@@ -322,30 +240,44 @@ Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions, 
     joinIslands(plan.choices, directions);
     const double nothing = kNothing * volume(part.mesh);
     numberByVolume(plan.choices, nothing);
-    const std::vector<char> needed = findNeeded(plan.choices, directions, diagonal(part.mesh), nothing, task);
+    const std::vector<char> needed =
+        neededRegions(plan.choices, directions, diagonal(part.mesh), nothing, task);
     plan.regions = describe(plan.choices, needed);
     if (task.stopped())
         return failure(ErrorCode::Cancelled, MW_TEXT("fill", "Filling was cancelled."));
     return plan;
 }
 
+FillPlan divided(FillPlan plan, const Directions& directions, const Task& task) {
+    const double longest = kChosenAlone * diagonal(plan.part.mesh);
+    std::vector<char> needed;
+    for (std::size_t r = 0; r < plan.regions.size(); ++r) {
+        needed.push_back(plan.regions[r].needed);
+        if (!plan.regions[r].needed && plan.regions[r].size > longest)
+            divideAtNecks(plan.choices, static_cast<int>(r), directions, longest, task, eachStandsAlone);
+    }
+    needed.resize(static_cast<std::size_t>(plan.choices.regions), 0);
+    numberByVolume(plan.choices, needed, kNothing * volume(plan.part.mesh));
+    plan.regions = describe(plan.choices, needed);
+    return plan;
+}
+
 Result<FilledPart> fillChosen(const FillPlan& plan, const std::vector<int>& chosen) {
     std::vector<char> filled(plan.regions.size(), 0);
-    for (const int region : chosen)
+    double wanted = 0;
+    for (const int region : chosen) {
         filled[static_cast<std::size_t>(region)] = 1;
-    FilledPart result;
-    std::vector<int> choiceOf;
-    result.surface = surfaceWith(plan.choices, filled, choiceOf);
-    finish(plan, result);
-    if (closedManifold(result.surface.mesh.F, result.surface.mesh.vertexCount())) {
-        FilledPart rounder = result;
-        collapseShortEdges(rounder, kShortest * diagonal(plan.part.mesh));
-        flipCaps(rounder, kFlat * diagonal(plan.part.mesh));
-        if (isSound(rounder.surface.mesh))
-            return rounder;
-        if (isSound(result.surface.mesh))
-            return result;
+        wanted += plan.regions[static_cast<std::size_t>(region)].volume;
     }
+    if (std::optional<FilledPart> result = soundWith(plan, filled))
+        return *result;
+    double dragged = -wanted;
+    const bool clear = dragAlong(plan.choices, filled);
+    for (std::size_t r = 0; r < filled.size(); ++r)
+        dragged += filled[r] ? plan.regions[r].volume : 0;
+    if (clear && dragged <= kDragged * wanted)
+        if (std::optional<FilledPart> result = soundWith(plan, filled))
+            return *result;
     return failure(ErrorCode::Internal,
                    MW_TEXT("fill", "These regions cannot be filled alone: the surface would "
                                    "cross itself. Fill the regions beside them too."));

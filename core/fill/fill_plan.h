@@ -36,9 +36,14 @@ struct FillPlan {
 [[nodiscard]] Result<FillPlan> planFill(const PartedMesh& part, const Directions& directions,
                                         const Task& task = {});
 
-/// The part with the chosen regions filled and all others as they were; these keep their undercuts. Checked
-/// as fill() checks. Errors: Internal where surfaces that were to stay cross those that filling makes;
-/// `faces` names the regions to choose besides.
+/// The plan with the larger undercuts that can be left divided at their necks too, so that those of one limb
+/// can be chosen without those of the next. Walls between neighbours stand along the direction.
+[[nodiscard]] FillPlan divided(FillPlan plan, const Directions& directions, const Task& task = {});
+
+/// The part with the chosen regions filled and all others as they were; these keep their undercuts. What a
+/// chosen region cannot be filled without is filled too, if it is little. Checked as fill() checks. Errors:
+/// Internal where surfaces that were to stay cross those that filling makes: the regions beside must be
+/// chosen besides.
 [[nodiscard]] Result<FilledPart> fillChosen(const FillPlan& plan, const std::vector<int>& chosen);
 
 /// Fills as little as the topological certificate asks for, and what that drags along.

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace moldwright {
 
@@ -138,10 +139,21 @@ bool isUp(const Shell& shell) {
     return sum > 0;
 }
 
+/// Divides a region unless the check is against it.
+bool cutAt(ChoiceMesh& choices, int region, const DividingPlane& plane, const CutCheck& check) {
+    if (!check)
+        return divideRegion(choices, region, plane);
+    ChoiceMesh divided = choices;
+    if (!divideRegion(divided, region, plane) || !check(divided, region, divided.regions - 1))
+        return false;
+    choices = std::move(divided);
+    return true;
+}
+
 } // namespace
 
 void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions, double longest,
-                   const Task& task) {
+                   const Task& task, const CutCheck& check) {
     std::vector<int> open{region};
     const auto separate = [&](int piece) {
         const std::vector<int> shells = separateShells(choices, piece);
@@ -162,7 +174,7 @@ void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions
         if (extent.length() <= longest)
             continue;
         for (const double place : placesToCut(shell, extent))
-            if (divideRegion(choices, piece, {extent.way, place, side})) {
+            if (cutAt(choices, piece, {extent.way, place, side}, check)) {
                 const int beyond = choices.regions - 1;
                 separate(piece);
                 separate(beyond);

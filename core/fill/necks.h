@@ -4,12 +4,17 @@
 #include "base/task.h"
 #include "fill/choice_mesh.h"
 
+#include <functional>
+
 namespace moldwright {
+
+/// Whether a cut between two regions may stay.
+using CutCheck = std::function<bool(const ChoiceMesh& choices, int region, int beyond)>;
 
 /// Divides a region where it is narrow: first by the parting plane, then by planes along the side's
 /// direction, across its longest extent where least of it is cut, until nothing is longer than `longest` that
-/// can be cut cleanly, or the task is stopped.
+/// can be cut cleanly and as `check` wants it, or the task is stopped.
 void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions, double longest,
-                   const Task& task);
+                   const Task& task, const CutCheck& check = {});
 
 } // namespace moldwright

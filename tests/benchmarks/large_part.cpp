@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // A part of any number of faces with fine detail, from a coarse one: for measuring how time grows.
 #include "exchange/mesh_file.h"
+#include "mesh/check.h"
 #include "mesh/decimate.h"
 #include "mesh/measures.h"
 #include "mesh/subdivide.h"
@@ -39,8 +40,8 @@ std::vector<Wave> waves(double diagonal, unsigned seed) {
     return found;
 }
 
-/// Moves every point along its normal by a sum of waves.
-void roughen(IndexedMesh& mesh, unsigned seed) {
+/// Moves every point along its normal by a sum of waves, `height` of the diagonal high (rms).
+IndexedMesh roughened(IndexedMesh mesh, double height, unsigned seed) {
     const double size = diagonal(mesh);
     Points normals = Points::Zero(mesh.V.rows(), 3);
     for (int f = 0; f < mesh.faceCount(); ++f)
@@ -51,8 +52,17 @@ void roughen(IndexedMesh& mesh, unsigned seed) {
         double sum = 0;
         for (const Wave& wave : all)
             sum += std::sin(wave.number.dot(mesh.point(v)) + wave.phase);
-        mesh.V.row(v) += kHeight * size * sum / std::sqrt(kWaves / 2.0) * normals.row(v).normalized();
+        mesh.V.row(v) += height * size * sum / std::sqrt(kWaves / 2.0) * normals.row(v).normalized();
     }
+    return mesh;
+}
+
+/// As rough as it can be without crossing itself; no rougher than usual.
+IndexedMesh roughened(const IndexedMesh& mesh, unsigned seed) {
+    for (double height = kHeight; height > kHeight / 100; height /= 2)
+        if (IndexedMesh rough = roughened(mesh, height, seed); selfIntersections(rough).empty())
+            return rough;
+    return mesh;
 }
 
 } // namespace
@@ -72,7 +82,7 @@ int main(int argc, char** argv) {
     while (mesh.faceCount() < faces)
         mesh = subdivide(mesh, 1);
     mesh = decimate(mesh, faces);
-    roughen(mesh, argc > 4 ? static_cast<unsigned>(std::stoul(argv[4])) : 1);
+    mesh = roughened(mesh, argc > 4 ? static_cast<unsigned>(std::stoul(argv[4])) : 1);
     if (!writeMesh(argv[2], mesh, MeshFormat::Ply)) {
         std::fprintf(stderr, "%s cannot be written\n", argv[2]);
         return 1;

@@ -110,7 +110,7 @@ TEST(Filling, WhatNoBendingFreesIsNotLeftToBending) {
 TEST(Filling, AnUndercutThatIsToBeBentIsNotFilledWithTheRest) {
     // Two balls above their equators: undercut on side 1, freed by bending or filling alike.
     const IndexedMesh part =
-        test::together(test::sphere({-8, 0, 1.5}, 3, 3), test::sphere({8, 0, 1.5}, 3, 3));
+        test::together(test::sphere({-12, 0, 1.5}, 3, 3), test::sphere({12, 0, 1.5}, 3, 3));
     const auto all = filledSurface(part, level, {FillExtent::All, {}}, {});
     const auto undercuts = fillableUndercuts(part, level, {});
     ASSERT_TRUE(all && undercuts);

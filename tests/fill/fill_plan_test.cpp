@@ -140,6 +140,36 @@ TEST(FillPlan, AllRegionsTogetherFillEverything) {
     test::expectSound(*everything, {});
 }
 
+TEST(FillPlan, ALongUndercutIsDividedWhereItIsNarrow) {
+    // A thick bar with a waist in its middle, floating on the plane: one undercut all round.
+    IndexedMesh bar = test::sphere({0, 0, 0}, 1, 5);
+    for (int v = 0; v < bar.vertexCount(); ++v) {
+        const double waist = 0.4 + 0.6 * std::min(1.0, std::abs(bar.V(v, 0)) / 0.5);
+        bar.V.row(v) = Eigen::RowVector3d(6 * bar.V(v, 0), waist * bar.V(v, 1), waist * bar.V(v, 2) + 0.3);
+    }
+    const FillPlan whole = planned(bar);
+    const FillPlan parts = divided(whole, {});
+    ASSERT_GT(parts.regions.size(), whole.regions.size());
+    double sum = 0;
+    for (int r = 0; r < static_cast<int>(parts.regions.size()); ++r) {
+        const FillRegion& region = parts.regions[static_cast<std::size_t>(r)];
+        sum += region.volume;
+        EXPECT_LT(region.size, 0.45 * diagonal(bar));
+        if (region.volume < 1e-3 * volume(bar))
+            continue;
+        const auto alone = fillChosen(parts, {r});
+        ASSERT_TRUE(alone) << alone.error().english();
+        EXPECT_NEAR(alone->volume, region.volume, 1e-6 * volume(bar));
+    }
+    EXPECT_NEAR(sum, whole.filled.volume, 1e-6 * volume(bar));
+    std::vector<int> all(parts.regions.size());
+    std::iota(all.begin(), all.end(), 0);
+    const auto everything = fillChosen(parts, all);
+    ASSERT_TRUE(everything);
+    EXPECT_NEAR(everything->volume, sum, 1e-6 * volume(bar));
+    test::expectSound(*everything, {});
+}
+
 TEST(FillPlan, OnlyWhatAnArchSpansIsNeeded) {
     // A ring that stands in a long bar: the bar is undercut along its sides, and the arch over it needs them
     // not.
