@@ -25,6 +25,11 @@ Eigen::Vector3d turned(const Eigen::Vector3d& from, const Eigen::Vector3d& to, d
 
 } // namespace
 
+DirectionLimits alongNormal(DirectionLimits limits) {
+    limits.maxTiltDegrees = 0;
+    return limits;
+}
+
 Eigen::Vector3d DirectionCap::nearestTo(const Eigen::Vector3d& direction) const {
     return angleBetween(middle, direction) <= radiusDegrees ? direction
                                                             : turned(middle, direction, radiusDegrees);

@@ -19,6 +19,9 @@ struct DirectionLimits {
     bool operator==(const DirectionLimits&) const = default;
 };
 
+/// The limits of directions that stand along the normal: they do not tilt.
+[[nodiscard]] DirectionLimits alongNormal(DirectionLimits limits);
+
 /// Directions within an angle of a middle.
 struct DirectionCap {
     Eigen::Vector3d middle = Eigen::Vector3d::UnitZ(); ///< unit

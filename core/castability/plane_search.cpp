@@ -73,12 +73,9 @@ std::pair<double, double> span(const Points& V, const Eigen::Vector3d& direction
     return {heights.minCoeff(), heights.maxCoeff()};
 }
 
-/// What limits the directions of a search: along the normal they do not tilt.
+/// What limits the directions of a search.
 DirectionLimits limitsOf(const PlaneSearch& wanted) {
-    DirectionLimits limits = wanted.limits;
-    if (wanted.normalDirections)
-        limits.maxTiltDegrees = 0;
-    return limits;
+    return wanted.normalDirections ? alongNormal(wanted.limits) : wanted.limits;
 }
 
 /// The plane square to `normal` at a share of the way through the points.

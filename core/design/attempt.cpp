@@ -181,15 +181,21 @@ Result<DesignResult> bendWhole(const Attempt& attempt, const PartedPart& part, c
 
 } // namespace
 
-Result<DesignResult> tryAttempt(const Attempt& attempt, const Task& task, DesignRun& run) {
+Result<DesignResult> tryAttempt(Attempt& attempt, const Task& task, DesignRun& run) {
     const ShapeGoal goal = goalOf(attempt, run);
-    if (attempt.fill && attempt.fill->extent == FillExtent::All && !bendsAny(attempt.fill->choices))
+    const bool fillsAll =
+        attempt.fill && attempt.fill->extent == FillExtent::All && !bendsAny(attempt.fill->choices);
+    if (fillsAll && !attempt.parted)
         if (Result<DesignResult> result = fillWholly(attempt, goal, task, run);
             (result && result->castable) || task.stopped())
             return result;
-    const Result<PartedPart> part = parted(attempt, task, run);
-    if (!part)
-        return std::unexpected(part.error());
+    if (!attempt.parted) {
+        Result<PartedPart> made = parted(attempt, task, run);
+        if (!made)
+            return std::unexpected(made.error());
+        attempt.parted = std::make_shared<const PartedPart>(std::move(*made));
+    }
+    const std::shared_ptr<const PartedPart> part = attempt.parted;
     if (passesAlready(*part, goal.draftDegrees))
         return finishAndProve(*part, {surfaceAt(*part, part->surface.mesh.V), 0, false, part->pins}, goal,
                               task, run);

@@ -105,13 +105,13 @@ struct Tries {
     }
 };
 
-bool tryBy(Means means, Attempt attempt, Tries& tries, const Task& task, DesignRun& run) {
+bool tryBy(Means means, Attempt& attempt, Tries& tries, const Task& task, DesignRun& run) {
     attempt.means = means;
     return tries.take(attempt, tryAttempt(attempt, task, run));
 }
 
 /// Bends quickly, and at once with more detail where that all but kept the limbs.
-void tryQuickly(const Attempt& attempt, Tries& tries, const Task& task, DesignRun& run) {
+void tryQuickly(Attempt attempt, Tries& tries, const Task& task, DesignRun& run) {
     if (tryBy(Means::QuickProxy, attempt, tries, task, run) && !run.stopped()) {
         tries.again.pop_back();
         tryBy(Means::FineProxy, attempt, tries, task, run);
@@ -124,8 +124,8 @@ void tryAgain(Tries& tries, const Task& task, DesignRun& run) {
     for (const Means means : {Means::FineProxy, Means::Itself}) {
         std::vector<Tries::Unfinished> again = std::exchange(tries.again, {});
         std::stable_sort(again.begin(), again.end());
-        for (const auto& unfinished : again) {
-            const Attempt& attempt = unfinished.attempt;
+        for (auto& unfinished : again) {
+            Attempt& attempt = unfinished.attempt;
             const bool tooLarge = means == Means::Itself && attempt.shape->faceCount() > kFacesBentWhole;
             if (tries.good() || run.stopped() || tooLarge || (tries.castable() && !unfinished.castable))
                 continue;
@@ -168,7 +168,8 @@ Tries tryStates(const PinnedShape& part, MoldStates& states, DesignRun& run) {
     return tries;
 }
 
-/// Has the undercuts filled that a result's lost limbs lie in. Returns whether any was new.
+/// Has the undercuts filled that a result's lost limbs lie in, but for those that would join pieces: that is
+/// for the designer to choose. Returns whether any was new.
 bool chooseAtLostLimbs(const DesignResult& result, const std::vector<FillableUndercut>& undercuts,
                        const IndexedMesh& shape, std::vector<UndercutChoice>& choices) {
     const double reach = kLimbReach * diagonal(shape);
@@ -177,7 +178,7 @@ bool chooseAtLostLimbs(const DesignResult& result, const std::vector<FillableUnd
         if (missing(limb) <= kBarelyLost)
             continue;
         const int nearest = undercutNearest(undercuts, shape, limb.tip, reach);
-        if (nearest < 0)
+        if (nearest < 0 || undercuts[static_cast<std::size_t>(nearest)].joins)
             continue;
         const UndercutChoice choice{undercuts[static_cast<std::size_t>(nearest)].place,
                                     UndercutChoice::Treatment::Fill};

@@ -18,9 +18,8 @@ std::optional<Error> contradictionIn(const DesignRequest& request) {
                       {}},
                      {},
                      {}};
-    DirectionLimits limits = request.limits;
-    if (request.directionsChoice == DirectionsChoice::Normal)
-        limits.maxTiltDegrees = 0;
+    const DirectionLimits limits =
+        request.directionsChoice == DirectionsChoice::Normal ? alongNormal(request.limits) : request.limits;
     if (request.directionsChoice == DirectionsChoice::Given || !request.plane ||
         allows(limits, request.plane->normal))
         return std::nullopt;
