@@ -18,12 +18,13 @@ using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /// What an elastic body is made of.
 struct BodyShape {
-    Points V;                       ///< rest positions; surface points first
-    Tetrahedra T;                   ///< may be empty: a shell
-    Triangles F;                    ///< surface
-    std::vector<double> tetWeights; ///< importance per tetrahedron; empty: all 1
-    double membrane = 0;            ///< weight of the surface term, per area
-    double volumeStiffness = 0;     ///< ν: weight of each tetrahedron's change of volume
+    Points V;                             ///< rest positions; surface points first
+    Tetrahedra T;                         ///< may be empty: a shell
+    Triangles F;                          ///< surface
+    std::vector<double> tetWeights;       ///< importance per tetrahedron; empty: all 1
+    double membrane = 0;                  ///< weight of the surface term, per area
+    double volumeStiffness = 0;           ///< ν: weight of each tetrahedron's change of volume
+    std::vector<double> faceWeights = {}; ///< importance per face in the surface term; empty: all 1
 };
 
 /// A rotation for each lane of an elastic body.
@@ -114,6 +115,7 @@ private:
     int m_tetCount;
     int m_faceCount;
     double m_membrane;
+    std::vector<double> m_faceWeights; ///< per face; empty: all 1
     double m_volumeStiffness;
     std::vector<Batch> m_batches;
     std::vector<Block> m_blocks;

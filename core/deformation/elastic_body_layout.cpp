@@ -87,7 +87,7 @@ Element triangle(const Eigen::Vector3d (&x)[4]) {
 ElasticBody::ElasticBody(const BodyShape& shape)
     : m_points(static_cast<int>(shape.V.rows())), m_tetCount(static_cast<int>(shape.T.rows())),
       m_faceCount(shape.membrane > 0 ? static_cast<int>(shape.F.rows()) : 0), m_membrane(shape.membrane),
-      m_volumeStiffness(shape.volumeStiffness),
+      m_faceWeights(shape.faceWeights), m_volumeStiffness(shape.volumeStiffness),
       m_laneOf(static_cast<std::size_t>(m_tetCount) + static_cast<std::size_t>(m_faceCount)) {
     const std::vector<int> tets = orderInSpace(shape.V, shape.T);
     for (std::size_t i = 0; i < tets.size(); i += kBlockElements)
@@ -166,8 +166,9 @@ void ElasticBody::setRest(const Points& V, const std::vector<double>& tetWeights
         for (std::size_t k = 0; k < 4; ++k)
             x[k] = V.row(corners[k]).transpose();
         const Element element = face ? triangle(x) : tetrahedron(x);
-        const auto index = static_cast<std::size_t>(m_elementOfLane[lane]);
-        const double importance = face ? m_membrane : tetWeights.empty() ? 1.0 : tetWeights[index];
+        const auto index = static_cast<std::size_t>(m_elementOfLane[lane] - (face ? m_tetCount : 0));
+        const std::vector<double>& weights = face ? m_faceWeights : tetWeights;
+        const double importance = (face ? m_membrane : 1.0) * (weights.empty() ? 1.0 : weights[index]);
         Batch& batch = m_batches[lane / L];
         for (int k = 0; k < 9; ++k)
             batch.gradient[k][lane % L] = element.gradients(k / 3, k % 3);

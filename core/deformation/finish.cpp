@@ -52,19 +52,18 @@ int violations(const LabelledSurface& surface, const Directions& directions, dou
 }
 
 /// Where a round works: about the faces that need it; everywhere while these are many.
-FinishRegion regionOfRound(const LabelledSurface& surface, const Directions& directions, double tau,
-                           int rings) {
-    const std::vector<char> faces = below(surface, directions, tau);
+FinishRegion regionOfRound(const LabelledSurface& surface, const FinishGoal& goal, double tau, int rings) {
+    const std::vector<char> faces = below(surface, goal.directions, tau);
     if (static_cast<double>(std::count(faces.begin(), faces.end(), 1)) > kMany * surface.mesh.faceCount())
-        return wholeRegion(surface, directions);
-    return regionAround(surface, faces, rings, directions);
+        return wholeRegion(surface, goal.directions, goal.importance);
+    return regionAround(surface, faces, rings, goal.directions, goal.importance);
 }
 
 /// One minimisation of the castability energy about the faces that want it.
 void relax(LabelledSurface& surface, const StageWeights& weights, const FinishGoal& goal, int rings,
            const Task& task) {
     const double enough = std::sin(radians(goal.draftDegrees + kEnough));
-    const FinishRegion region = regionOfRound(surface, goal.directions, enough, rings);
+    const FinishRegion region = regionOfRound(surface, goal, enough, rings);
     const LabelledBody& body = region.body;
     LabelledProblem problem(body);
     const Positions X = problem.minimize(

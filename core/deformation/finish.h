@@ -14,6 +14,7 @@ struct FinishGoal {
     double draftDegrees = 1; ///< required; aimed at one degree higher, since the hinge nears its goal slowly
     double resolution = 0;   ///< size of a coordinate's rounding step (a float ulp) in the surface's units
     int rounds = 10;
+    std::vector<double> importance = {}; ///< per point before clean-up (sourceVertex); empty: all 1
     bool keepDetail = false; ///< the surface followed a coarse one, many faces miss their draft by little:
                              ///< motion comes before clean-up, which costs detail wherever a face is short
 };

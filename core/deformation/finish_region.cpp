@@ -4,6 +4,7 @@
 #include "castability/parting_line.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace moldwright {
 
@@ -46,9 +47,19 @@ void takePoints(FinishRegion& region, const Points& V, const std::vector<char>& 
             body.held[static_cast<std::size_t>(v)] = 1;
 }
 
+double leastImportance(const LabelledSurface& surface, int face, const std::vector<double>& importance) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int v : surface.mesh.F.row(face)) {
+        const int source = surface.sourceVertex[static_cast<std::size_t>(v)];
+        least = std::min(least, source < 0 ? 1.0 : importance[static_cast<std::size_t>(source)]);
+    }
+    return least;
+}
+
 /// The body of the faces marked, with the points of `line` even where no such face has them.
 FinishRegion regionOf(const LabelledSurface& surface, const std::vector<char>& marked,
-                      const std::vector<std::array<int, 2>>& line, const Directions& directions) {
+                      const std::vector<std::array<int, 2>>& line, const Directions& directions,
+                      const std::vector<double>& importance) {
     FinishRegion region;
     const IndexedMesh& mesh = surface.mesh;
     for (int f = 0; f < mesh.faceCount(); ++f)
@@ -71,6 +82,8 @@ FinishRegion regionOf(const LabelledSurface& surface, const std::vector<char>& m
         for (int k = 0; k < 3; ++k)
             body.shape.F(static_cast<Eigen::Index>(i), k) = place(mesh.F(region.faces[i], k));
         body.labels.push_back(surface.labels[static_cast<std::size_t>(region.faces[i])]);
+        if (!importance.empty())
+            body.shape.faceWeights.push_back(leastImportance(surface, region.faces[i], importance));
     }
     for (const auto& [a, b] : line)
         body.line.push_back({place(a), place(b)});
@@ -81,14 +94,15 @@ FinishRegion regionOf(const LabelledSurface& surface, const std::vector<char>& m
 } // namespace
 
 FinishRegion regionAround(const LabelledSurface& surface, std::vector<char> faces, int rings,
-                          const Directions& directions) {
+                          const Directions& directions, const std::vector<double>& importance) {
     for (int ring = 0; ring < rings; ++ring)
         widen(surface.mesh.F, faces, surface.mesh.V.rows());
-    return regionOf(surface, faces, partingEdges(surface.mesh, surface.labels), directions);
+    return regionOf(surface, faces, partingEdges(surface.mesh, surface.labels), directions, importance);
 }
 
-FinishRegion wholeRegion(const LabelledSurface& surface, const Directions& directions) {
-    return regionAround(surface, std::vector<char>(surface.labels.size(), 1), 0, directions);
+FinishRegion wholeRegion(const LabelledSurface& surface, const Directions& directions,
+                         const std::vector<double>& importance) {
+    return regionAround(surface, std::vector<char>(surface.labels.size(), 1), 0, directions, importance);
 }
 
 } // namespace moldwright

@@ -17,11 +17,14 @@ struct FinishRegion {
 };
 
 /// The faces within `rings` rings of neighbours of those given (1 per face of the surface), as a body of
-/// their own.
+/// their own. `importance`: per point before clean-up (sourceVertex); a face has the least of its corners';
+/// empty: all 1.
 [[nodiscard]] FinishRegion regionAround(const LabelledSurface& surface, std::vector<char> faces, int rings,
-                                        const Directions& directions);
+                                        const Directions& directions,
+                                        const std::vector<double>& importance = {});
 
 /// The whole surface.
-[[nodiscard]] FinishRegion wholeRegion(const LabelledSurface& surface, const Directions& directions);
+[[nodiscard]] FinishRegion wholeRegion(const LabelledSurface& surface, const Directions& directions,
+                                       const std::vector<double>& importance = {});
 
 } // namespace moldwright

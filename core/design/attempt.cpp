@@ -204,7 +204,7 @@ Result<DesignResult> tryAttempt(Attempt& attempt, const Task& task, DesignRun& r
         if (attempt.means == Means::Itself)
             return std::nullopt;
         return proxyOf(*part, attempt.means == Means::FineProxy ? ProxyDetail::Fine : ProxyDetail::Quick,
-                       task);
+                       goal.faceWeights, task);
     }();
     if (!proxy)
         return bendWhole(attempt, *part, task, run);

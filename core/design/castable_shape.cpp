@@ -8,6 +8,7 @@
 #include "exchange/tetrahedralize.h"
 #include "mesh/measures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -34,15 +35,6 @@ double meanEdge(const IndexedMesh& mesh) {
     return sum / (3.0 * mesh.faceCount());
 }
 
-/// Importance of each face of the solid: its source's; 1 where filling made it.
-std::vector<double> solidFaceWeights(const PartedSolid& solid, const std::vector<double>& partWeights) {
-    std::vector<double> weights;
-    weights.reserve(solid.surface.sourceFace.size());
-    for (const int source : solid.surface.sourceFace)
-        weights.push_back(source < 0 ? 1 : partWeights[static_cast<std::size_t>(source)]);
-    return weights;
-}
-
 /// The points of the tetrahedra that pins inside hold.
 std::vector<int> pinnedInside(const PartedSolid& solid) {
     return innerPoints(solid.tets, solid.surface.mesh.vertexCount(), innerPlaces(solid.pins));
@@ -53,9 +45,10 @@ LabelledBody bodyOf(const PartedSolid& solid, const ShapeGoal& goal) {
     body.shape.V = solid.tets.V;
     body.shape.T = solid.tets.T;
     body.shape.F = solid.surface.mesh.F;
-    if (!goal.faceWeights.empty())
-        body.shape.tetWeights =
-            tetWeights(solid.tets.T, solid.surface.mesh.F, solidFaceWeights(solid, goal.faceWeights));
+    if (!goal.faceWeights.empty()) {
+        body.shape.faceWeights = importanceOfFaces(solid, goal.faceWeights);
+        body.shape.tetWeights = tetWeights(solid.tets.T, solid.surface.mesh.F, body.shape.faceWeights);
+    }
     body.shape.membrane = kMembrane * meanEdge(solid.surface.mesh);
     body.shape.volumeStiffness = kVolume;
     body.labels = solid.surface.labels;
@@ -100,6 +93,26 @@ LabelledSurface surfaceAt(const PartedPart& part, const Points& X) {
     return surface;
 }
 
+std::vector<double> importanceOfFaces(const PartedPart& part, const std::vector<double>& faceWeights) {
+    std::vector<double> weights;
+    if (faceWeights.empty())
+        return weights;
+    weights.reserve(part.surface.sourceFace.size());
+    for (const int source : part.surface.sourceFace)
+        weights.push_back(source < 0 ? 1 : faceWeights[static_cast<std::size_t>(source)]);
+    return weights;
+}
+
+std::vector<double> importanceOfPoints(const PartedPart& part, const std::vector<double>& faceWeights) {
+    const std::vector<double> ofFaces = importanceOfFaces(part, faceWeights);
+    std::vector<double> weights(
+        ofFaces.empty() ? 0 : static_cast<std::size_t>(part.surface.mesh.vertexCount()), 0.0);
+    for (std::size_t f = 0; f < ofFaces.size(); ++f)
+        for (const int v : part.surface.mesh.F.row(static_cast<Eigen::Index>(f)))
+            weights[static_cast<std::size_t>(v)] = std::max(weights[static_cast<std::size_t>(v)], ofFaces[f]);
+    return weights;
+}
+
 bool passesAlready(const PartedPart& part, double draftDegrees) {
     const double enough = std::sin(radians(draftDegrees + kSpare));
     const Directions directions = part.frame.directionsToWork(part.state.directions);
@@ -140,6 +153,7 @@ bool finish(BentShape& bent, const PartedPart& part, const ShapeGoal& goal, doub
     wanted.draftDegrees = goal.draftDegrees;
     wanted.resolution = resolution / part.frame.scale();
     wanted.keepDetail = bent.followed;
+    wanted.importance = importanceOfPoints(part, goal.faceWeights);
     return finishSurface(bent.surface, wanted, task, [&](const LabelledSurface& now) {
         if (watch)
             watch("finish", now);

@@ -32,6 +32,13 @@ struct BentShape {
 /// The surface of a part with its parting line inserted, its points at X (n×3, working frame).
 [[nodiscard]] LabelledSurface surfaceAt(const PartedPart& part, const Points& X);
 
+/// Importance of each face of a parted part: its source's (`faceWeights`: per face of the part), 1 where
+/// filling made it; and of each point, the most of its faces'. Empty where there are no weights.
+[[nodiscard]] std::vector<double> importanceOfFaces(const PartedPart& part,
+                                                    const std::vector<double>& faceWeights);
+[[nodiscard]] std::vector<double> importanceOfPoints(const PartedPart& part,
+                                                     const std::vector<double>& faceWeights);
+
 /// Whether every face of the part has its draft already: such a part stays as it is.
 [[nodiscard]] bool passesAlready(const PartedPart& part, double draftDegrees);
 

@@ -71,14 +71,10 @@ std::vector<double> proxyWeights(const PartedPart& part, const Proxy& proxy,
         return {};
     const IndexedMesh& coarse = proxy.solid.surface.mesh;
     std::vector<double> ofPoint(static_cast<std::size_t>(coarse.vertexCount()), 0);
-    for (int f = 0; f < part.surface.mesh.faceCount(); ++f) {
-        const int source = part.surface.sourceFace[static_cast<std::size_t>(f)];
-        const double weight = source < 0 ? 1 : partWeights[static_cast<std::size_t>(source)];
-        for (int k = 0; k < 3; ++k) {
-            const auto v = static_cast<std::size_t>(part.surface.mesh.F(f, k));
-            double& most = ofPoint[static_cast<std::size_t>(proxy.pointNow[v])];
-            most = std::max(most, weight);
-        }
+    const std::vector<double> ofFine = importanceOfPoints(part, partWeights);
+    for (std::size_t v = 0; v < ofFine.size(); ++v) {
+        double& most = ofPoint[static_cast<std::size_t>(proxy.pointNow[v])];
+        most = std::max(most, ofFine[v]);
     }
     std::vector<double> weights;
     weights.reserve(static_cast<std::size_t>(coarse.faceCount()));
@@ -89,16 +85,29 @@ std::vector<double> proxyWeights(const PartedPart& part, const Proxy& proxy,
     return weights;
 }
 
+/// The points of the plane, and those of important faces while they are few: a region is as stiff as it is
+/// meant to be only where the stand-in has it as it is.
+std::vector<char> pointsToKeep(const PartedPart& part, const std::vector<double>& faceWeights, int faces) {
+    std::vector<char> kept(static_cast<std::size_t>(part.surface.mesh.vertexCount()));
+    for (std::size_t v = 0; v < kept.size(); ++v)
+        kept[v] = part.surface.mesh.V(static_cast<Eigen::Index>(v), 2) == 0;
+    const std::vector<double> importance = importanceOfPoints(part, faceWeights);
+    const auto important = std::ranges::count_if(importance, [](double weight) { return weight > 1; });
+    if (kFacesAtPoint * important <= faces)
+        for (std::size_t v = 0; v < importance.size(); ++v)
+            kept[v] = kept[v] || importance[v] > 1;
+    return kept;
+}
+
 } // namespace
 
-std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail, const Task& task) {
+std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail,
+                             const std::vector<double>& faceWeights, const Task& task) {
     const IndexedMesh& fine = part.surface.mesh;
-    std::vector<char> kept(static_cast<std::size_t>(fine.vertexCount()));
-    for (int v = 0; v < fine.vertexCount(); ++v)
-        kept[static_cast<std::size_t>(v)] = fine.V(v, 2) == 0;
-    const auto inPlane = static_cast<int>(std::count(kept.begin(), kept.end(), 1));
     const bool quick = detail == ProxyDetail::Quick;
-    const int faces = (quick ? kQuickFaces : kFineFaces) + kFacesAtPoint * inPlane;
+    int faces = quick ? kQuickFaces : kFineFaces;
+    std::vector<char> kept = pointsToKeep(part, faceWeights, faces);
+    faces += kFacesAtPoint * static_cast<int>(std::count(kept.begin(), kept.end(), 1));
     if (fine.faceCount() < kWorthIt * faces)
         return std::nullopt;
     for (int attempt = 0; attempt < kAttempts && !task.stopped(); ++attempt) {

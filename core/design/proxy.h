@@ -18,9 +18,11 @@ struct Proxy {
 enum class ProxyDetail { Quick, Fine };
 
 /// The stand-in for a parted part: decimated with the points of the plane kept, so that what hangs together,
-/// the labels and the parting line stay, and more finely where the part is so thin that it would cross
-/// itself. None when the part has few faces itself, or when TetGen refuses what was found.
-[[nodiscard]] std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail, const Task& task);
+/// the labels and the parting line stay; those of important faces too, unless they are many (`faceWeights`:
+/// per face of the part, empty: all 1); and more finely where the part is so thin that it would cross itself.
+/// None when the part has few faces itself, or when TetGen refuses what was found.
+[[nodiscard]] std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail,
+                                           const std::vector<double>& faceWeights, const Task& task);
 
 /// Bends the stand-in, see bend(); the part's own surface follows. What takes time grows with the stand-in,
 /// not with the part.

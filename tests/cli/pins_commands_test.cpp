@@ -168,6 +168,26 @@ TEST_F(PinsCommands, PinsAndWeightsOfAFileThatCannotBeUsedAreNamed) {
     EXPECT_NE(missing.err.find("nowhere.json"), std::string::npos) << missing.err;
 }
 
+TEST_F(PinsCommands, AnEyePaintedFourTimesKeepsItsShape) {
+    // The front of the eyeball, which faces its half; the lid about it is undercut.
+    const auto strainWith = [&](int weight) {
+        const std::string out = in("weight-" + std::to_string(weight));
+        const std::string weights =
+            write("weights.json", R"({"regions": [{"name": "eye", "centre": [9.69, -18.45, 43.36],
+                  "radius": 3.23, "weight": )" +
+                                      std::to_string(weight) + "}]}");
+        EXPECT_EQ(test::runProgram({"design", test::samples() / "goat_head.ply", "--size", "80", "--out", out,
+                                    "--weights", weights})
+                      .exitCode,
+                  0);
+        return jsonIn("weight-" + std::to_string(weight) + "/design.json")["regions"][0]["strain_rms"]
+            .get<double>();
+    };
+    const double plain = strainWith(1);
+    EXPECT_GT(plain, 0.05) << "something is there to be kept";
+    EXPECT_LT(strainWith(16), plain / 2);
+}
+
 TEST_F(PinsCommands, WeightsChangeTheDesignAndTheirRegionsAreMeasured) {
     const std::string part = bow(16);
     const std::vector<std::string> plain = {"design", part,  "--out", in("plain"), "--plane",

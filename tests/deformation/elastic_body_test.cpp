@@ -54,6 +54,15 @@ double energyAt(const ElasticBody& body, const Positions& X) {
     return body.energy(X, 1, gradient);
 }
 
+/// Every third tetrahedron and face is more important.
+BodyShape weighed(BodyShape shape) {
+    for (Eigen::Index t = 0; t < shape.T.rows(); ++t)
+        shape.tetWeights.push_back(t % 3 == 0 ? 16 : 1);
+    for (Eigen::Index f = 0; f < shape.F.rows(); ++f)
+        shape.faceWeights.push_back(f % 3 == 0 ? 16 : 1);
+    return shape;
+}
+
 struct NamedBody {
     const char* name;
     BodyShape shape;
@@ -160,8 +169,19 @@ TEST_P(EveryBody, ANewRestShapeIsThatOfANewBody) {
 
 INSTANTIATE_TEST_SUITE_P(Bodies, EveryBody,
                          testing::Values(NamedBody{"tets", boxBody(0, 0)}, NamedBody{"skin", boxBody(0.6, 0)},
+                                         NamedBody{"weighed", weighed(boxBody(0.6, 5))},
                                          NamedBody{"volume", boxBody(0.6, 5)},
                                          NamedBody{"shell", shellBody()}));
+
+TEST(ElasticBody, AnImportantFaceCountsForMore) {
+    BodyShape shape = shellBody();
+    const Positions X = 1.1 * shape.V;
+    const double plain = energyAt(ElasticBody(shape), X);
+    shape.faceWeights.assign(static_cast<std::size_t>(shape.F.rows()), 1);
+    EXPECT_EQ(energyAt(ElasticBody(shape), X), plain);
+    shape.faceWeights.assign(static_cast<std::size_t>(shape.F.rows()), 16);
+    EXPECT_NEAR(energyAt(ElasticBody(shape), X), 16 * plain, 1e-12 * plain);
+}
 
 TEST(ElasticBody, CountsChangeOfVolumeOfASingleTet) {
     BodyShape shape;

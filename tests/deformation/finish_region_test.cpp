@@ -48,6 +48,25 @@ TEST(FinishRegion, GrowsRingByRingAndFixesItsRim) {
     }
 }
 
+TEST(FinishRegion, AFaceIsAsImportantAsTheLeastOfItsCorners) {
+    LabelledSurface ball = test::labelledBall(3);
+    // A clean-up has taken points out since importance was given.
+    for (int& source : ball.sourceVertex)
+        source += 5;
+    std::vector<double> importance(ball.sourceVertex.size() + 5, 1);
+    for (int v = 0; v < ball.mesh.vertexCount(); ++v)
+        if (ball.mesh.V(v, 0) > 0)
+            importance[static_cast<std::size_t>(v) + 5] = 16;
+    const FinishRegion region = wholeRegion(ball, {}, importance);
+    ASSERT_EQ(region.body.shape.faceWeights.size(), region.faces.size());
+    for (int f = 0; f < ball.mesh.faceCount(); ++f) {
+        const double least =
+            std::min({ball.mesh.corner(f, 0).x(), ball.mesh.corner(f, 1).x(), ball.mesh.corner(f, 2).x()});
+        EXPECT_EQ(region.body.shape.faceWeights[static_cast<std::size_t>(f)], least > 0 ? 16 : 1);
+    }
+    EXPECT_TRUE(wholeRegion(ball, {}).body.shape.faceWeights.empty());
+}
+
 TEST(FinishRegion, KnowsTheWholePartingLine) {
     const LabelledSurface ball = test::labelledBall(4);
     const FinishRegion region = regionAround(ball, oneFace(ball), 2, {});

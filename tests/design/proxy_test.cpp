@@ -41,7 +41,7 @@ std::set<std::array<double, 2>> lineOf(const PartedMesh& surface) {
 } // namespace
 
 TEST(Proxy, IsCoarseAndHasThePartingLineOfThePart) {
-    const std::optional<Proxy> proxy = proxyOf(part(), ProxyDetail::Quick, {});
+    const std::optional<Proxy> proxy = proxyOf(part(), ProxyDetail::Quick, {}, {});
     ASSERT_TRUE(proxy);
     const PartedMesh& surface = proxy->solid.surface;
     EXPECT_LT(surface.mesh.faceCount(), part().surface.mesh.faceCount() / 2);
@@ -56,12 +56,32 @@ TEST(Proxy, IsCoarseAndHasThePartingLineOfThePart) {
     EXPECT_EQ(proxy->solid.tets.V.topRows(surface.mesh.vertexCount()), surface.mesh.V);
 }
 
+TEST(Proxy, KeepsImportantFacesAsTheyAre) {
+    std::vector<double> weights(static_cast<std::size_t>(dentedBall().faceCount()), 1);
+    for (std::size_t f = 100; f < 140; ++f)
+        weights[f] = 8;
+    const std::optional<Proxy> proxy = proxyOf(part(), ProxyDetail::Quick, weights, {});
+    ASSERT_TRUE(proxy);
+    const PartedMesh& fine = part().surface;
+    int important = 0;
+    for (int f = 0; f < fine.mesh.faceCount(); ++f) {
+        if (const int source = fine.sourceFace[static_cast<std::size_t>(f)]; source < 100 || source >= 140)
+            continue;
+        ++important;
+        for (int k = 0; k < 3; ++k) {
+            const int now = proxy->pointNow[static_cast<std::size_t>(fine.mesh.F(f, k))];
+            EXPECT_EQ(proxy->solid.surface.mesh.point(now), fine.mesh.corner(f, k));
+        }
+    }
+    EXPECT_GE(important, 40);
+}
+
 TEST(Proxy, IsNotMadeOfAPartThatIsCoarseItself) {
-    EXPECT_FALSE(proxyOf(*partSurface(test::sphere({0, 0, 0}, 10, 3), {}, {}), ProxyDetail::Quick, {}));
+    EXPECT_FALSE(proxyOf(*partSurface(test::sphere({0, 0, 0}, 10, 3), {}, {}), ProxyDetail::Quick, {}, {}));
 }
 
 TEST(Proxy, BringsThePartNearItsDraftOnTheRightSides) {
-    const std::optional<Proxy> proxy = proxyOf(part(), ProxyDetail::Quick, {});
+    const std::optional<Proxy> proxy = proxyOf(part(), ProxyDetail::Quick, {}, {});
     ASSERT_TRUE(proxy);
     const ShapeGoal goal{1, {}, {}};
     int frames = 0;
