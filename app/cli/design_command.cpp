@@ -2,7 +2,6 @@
 #include "cli/design_command.h"
 
 #include "cli/design_files.h"
-#include "cli/guide_files.h"
 #include "cli/load_part.h"
 #include "cli/render_client.h"
 #include "cli/size_options.h"
@@ -11,6 +10,7 @@
 #include "mesh/measures.h"
 #include "mold/mold_files.h"
 #include "project/edits.h"
+#include "project/guide_files.h"
 #include "project/project_file.h"
 #include "report/figures.h"
 

@@ -21,6 +21,7 @@ void History::push(Step step) {
     const bool merges =
         !step.mergeKey.isEmpty() && m_done > 0 && !atSaved() && m_steps.back().mergeKey == step.mergeKey;
     if (merges) {
+        m_steps.back().words = std::move(step.words);
         m_steps.back().after = std::move(step.after);
         return;
     }

@@ -18,7 +18,7 @@ public:
         QString words; ///< what was done
         Project before;
         Project after;
-        QString mergeKey; ///< steps in a row with the same key are one; empty: never
+        QString mergeKey; ///< steps in a row with the same key are one, with the last words; empty: never
     };
 
     explicit History(std::size_t mostBytes = std::size_t(1) << 30) : m_mostBytes(mostBytes) {}

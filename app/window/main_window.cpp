@@ -15,6 +15,7 @@
 #include "view/part_view.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
+#include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/undercut_pages.h"
@@ -25,9 +26,25 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 
+#include <algorithm>
+
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+/// The step of the job that a row of the tree belongs to.
+Step stepOf(const QString& id) {
+    return id == u"plane"_s || id.startsWith(u"direction"_s)                                 ? Step::Plane
+           : pinsChosen(id)                                                                  ? Step::Guides
+           : id == u"deform"_s || obstructionNumber(id) >= 0 || id.startsWith(u"undercut"_s) ? Step::Deform
+           : id == u"cast"_s                                                                 ? Step::Check
+           : id == u"mold"_s || id.startsWith(u"half"_s)                                     ? Step::Mold
+                                                                                             : Step::Part;
+}
+
+} // namespace
 
 MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     : QMainWindow(parent), m_bench(bench), m_actions(this) {
@@ -91,6 +108,8 @@ void MainWindow::refresh() {
     if (obstructionNumber(m_selected) >= static_cast<int>(m_bench.obstructions().size()) ||
         undercutNumber(m_selected) >= static_cast<int>(m_bench.undercuts().size()))
         select(u"deform"_s);
+    if (pinNumber(m_selected) >= static_cast<int>(m_bench.project().pins.size()))
+        select(u"pins"_s);
     m_tree->select(m_selected);
     m_plots->setRequiredDraft(m_bench.project().design.draftDegrees);
     if (m_bench.progress().size() < m_plots->points().size())
@@ -117,49 +136,42 @@ void MainWindow::refreshHistory() {
     m_history->setCurrentRow(static_cast<int>(history.done()));
 }
 
-void MainWindow::refreshActions() {
+std::set<Needs> MainWindow::given() const {
     const Project& project = m_bench.project();
     const bool idle = !m_bench.background().busy();
     const bool part = project.part != nullptr;
     const bool plane = part && project.state.has_value();
     const History& history = m_bench.document().history();
-    m_actions.update([&](Needs needs) {
-        switch (needs) {
-        case Needs::Nothing:
-            return true;
-        case Needs::Idle:
-            return idle;
-        case Needs::Part:
-            return part;
-        case Needs::IdlePart:
-            return part && idle;
-        case Needs::Plane:
-            return plane;
-        case Needs::IdlePlane:
-            return plane && idle;
-        case Needs::SuggestedPlane:
-            return idle && m_bench.suggestedPlane().has_value();
-        case Needs::FillableObstruction:
-            return idle && !m_bench.placesToFill(obstructionNumber(m_selected)).empty();
-        case Needs::CastShape:
-            return idle && project.cast != nullptr;
-        case Needs::ProvedCast:
-            return idle && m_bench.castIsProved();
-        case Needs::MoldBuilt:
-            return idle && m_bench.moldIsCurrent();
-        case Needs::Running:
-            return m_bench.running();
-        case Needs::Bending:
-            return m_bench.bending();
-        case Needs::Measured:
-            return !m_measure->measurement().empty();
-        case Needs::Undo:
-            return idle && history.canUndo();
-        case Needs::Redo:
-            return idle && history.canRedo();
-        }
-        return false;
-    });
+    std::set<Needs> given = {Needs::Nothing};
+    const auto add = [&](Needs needs, bool so) {
+        if (so)
+            given.insert(needs);
+    };
+    add(Needs::Idle, idle);
+    add(Needs::Part, part);
+    add(Needs::IdlePart, part && idle);
+    add(Needs::Plane, plane);
+    add(Needs::IdlePlane, plane && idle);
+    add(Needs::SuggestedPlane, idle && m_bench.suggestedPlane().has_value());
+    add(Needs::SuggestedTips,
+        idle && std::ranges::count(m_bench.suggestionsInView(), PinKind::Tip, &SuggestedPin::kind) > 0);
+    add(Needs::Pins, idle && !project.pins.empty());
+    add(Needs::ChosenPin, idle && pinNumber(m_selected) >= 0);
+    add(Needs::FillableObstruction, idle && !m_bench.placesToFill(obstructionNumber(m_selected)).empty());
+    add(Needs::CastShape, idle && project.cast != nullptr);
+    add(Needs::ProvedCast, idle && m_bench.castIsProved());
+    add(Needs::MoldBuilt, idle && m_bench.moldIsCurrent());
+    add(Needs::Running, m_bench.running());
+    add(Needs::Bending, m_bench.bending());
+    add(Needs::Measured, !m_measure->measurement().empty());
+    add(Needs::Undo, idle && history.canUndo());
+    add(Needs::Redo, idle && history.canRedo());
+    return given;
+}
+
+void MainWindow::refreshActions() {
+    const std::set<Needs> holds = given();
+    m_actions.update([&](Needs needs) { return holds.contains(needs); });
     m_actions[u"run"_s]->setVisible(!m_bench.running());
     for (const QString& id : {u"finish"_s, u"pause"_s, u"stop"_s})
         m_actions[id]->setVisible(m_bench.running());
@@ -188,16 +200,17 @@ void MainWindow::refreshHint() {
     const QString keys = tr("<b>?</b> shows all keys.");
     if (!m_bench.project().part)
         m_hint->setText(tr("Open a part, drop one here, or choose a sample. %1").arg(keys));
-    else if (m_view->picking() == PartView::Picking::Face)
-        m_hint->setText(tr("<b>Click</b> the face that shall lie on the ground. <b>Esc</b> leaves."));
-    else if (m_measure->active())
-        m_hint->setText(tr("<b>Click</b> a place, a second for the distance, a third for the angle. "
-                           "<b>Ctrl+C</b> copies, <b>Esc</b> leaves."));
+    else if (m_tool != Tool::None)
+        m_hint->setText(toolHint());
     else if (m_bench.resting())
         m_hint->setText(
             tr("The shape rests. <b>Space</b> bends it further, <b>Ctrl+Shift+Return</b> finishes it."));
     else if (m_bench.running())
         m_hint->setText(tr("The part bends. <b>Space</b> holds it, <b>Ctrl+.</b> stops it."));
+    else if (pinsChosen(m_selected))
+        m_hint->setText(tr("<b>Click</b> a pin to choose it, <b>Del</b> removes it; <b>P</b> pins another "
+                           "point. %1")
+                            .arg(keys));
     else if (moldShown())
         m_hint->setText(tr("<b>X</b> opens and closes the mold. %1").arg(keys));
     else
@@ -209,13 +222,7 @@ void MainWindow::refreshHint() {
 void MainWindow::refreshProperties(bool evenIfSame) {
     if (!m_bench.project().part)
         return;
-    const PropertyPage page = propertyPage(m_selected, m_bench, m_actions);
-    // The mold's page has other buttons once the mold is built, that of the deformation while it runs.
-    const QString layout = page.id + (page.id == u"mold"_s && m_bench.moldIsCurrent() ? u"-built"_s
-                                      : page.id == u"deform"_s && m_bench.running()   ? u"-running"_s
-                                                                                      : QString());
-    m_properties->showPage(page, evenIfSame || layout != m_properties->property("layout").toString());
-    m_properties->setProperty("layout", layout);
+    m_properties->showPage(propertyPage(m_selected, m_bench, m_actions), evenIfSame);
     fillPage(*m_properties, m_bench);
 }
 
@@ -230,13 +237,7 @@ void MainWindow::select(const QString& id) {
     const int undercut = undercutNumber(id);
     if (undercut >= 0 && undercut < static_cast<int>(m_bench.undercuts().size()))
         m_view->frame(m_bench.placeOfUndercut(undercut));
-    const bool deforms = id == u"deform"_s || number >= 0 || id.startsWith(u"undercut"_s);
-    const Step step = id == u"plane"_s || id.startsWith(u"direction"_s) ? Step::Plane
-                      : deforms                                         ? Step::Deform
-                      : id == u"cast"_s                                 ? Step::Check
-                      : id == u"mold"_s || id.startsWith(u"half"_s)     ? Step::Mold
-                                                                        : Step::Part;
-    m_workflow->setCurrentStep(static_cast<int>(step));
+    m_workflow->setCurrentStep(static_cast<int>(stepOf(id)));
     refreshSoon();
 }
 
@@ -247,6 +248,9 @@ void MainWindow::chooseStep(int step) {
         break;
     case Step::Plane:
         select(u"plane"_s);
+        break;
+    case Step::Guides:
+        select(u"pins"_s);
         break;
     case Step::Deform:
         select(u"deform"_s);

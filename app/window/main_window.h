@@ -10,6 +10,8 @@
 #include <QTimer>
 
 #include <functional>
+#include <set>
+#include <vector>
 
 class QActionGroup;
 class QLabel;
@@ -38,6 +40,9 @@ struct Advice;
 struct FaceMap;
 struct OpenedMesh;
 struct ShownSurface;
+
+/// What a click on the part does.
+enum class Tool { None, Measure, LayFlat, Pin, PinInside, PlaneOnFace, PlaneByPoints };
 
 /// The window: shows the workbench and sends it what the user wants. It holds no data of its own but what is
 /// hidden and selected, so that it can be built anew when the language changes.
@@ -82,6 +87,7 @@ private:
     void connectActions();
     void connectFileActions();
     void connectPartActions();
+    void connectDesignActions();
     void connectWindowActions();
     void connectBench();
     void advise(const Advice& advice);
@@ -93,7 +99,15 @@ private:
     void walkZones(int way);
     void useThemeChoice(ThemeChoice choice);
     void escape();
-    void usePicking();
+
+    // main_window_tools.cpp
+    void connectToolActions();
+    void connectPinActions();
+    void useTool(Tool tool);
+    [[nodiscard]] QString toolHint() const;
+    void serveTools(ViewPane& pane);
+    void takePlanePoint(const Eigen::Vector3d& point);
+    void snapPlane(const PartingPlane& plane);
 
     // main_window_views.cpp
     void buildViews(QWidget* parent);
@@ -117,6 +131,8 @@ private:
     void chooseFileToExport();
     void chooseFolderForMold();
     void chooseFileForReport();
+    void choosePinsToImport();
+    void choosePinsToExport();
     void askUnit(const OpenedMesh& opened);
     void save(const std::function<void()>& then = {});
     void saveAs(const std::function<void()>& then = {});
@@ -134,6 +150,8 @@ private:
     void refreshSoon() { m_refresh.start(); }
     void refresh();
     void refreshHistory();
+    /// What holds now, of what commands may need.
+    [[nodiscard]] std::set<Needs> given() const;
     void refreshActions();
     void refreshTitle();
     void refreshHint();
@@ -149,6 +167,8 @@ private:
     QTimer m_refresh;
     Visibility m_visible;
     QString m_selected = QStringLiteral("part");
+    Tool m_tool = Tool::None;
+    std::vector<Eigen::Vector3d> m_planePoints; ///< clicked so far, mm
     enum class Fit { Not, AsTheyLook, FromHome };
     Fit m_fitWhenDrawn = Fit::FromHome; ///< how the next surfaces are to be brought into sight
 

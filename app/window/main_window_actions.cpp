@@ -18,6 +18,7 @@
 #include "view/part_view.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
+#include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/turn_dialog.h"
@@ -39,6 +40,8 @@
 #include <QStatusBar>
 #include <QUrl>
 
+#include <array>
+
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
@@ -46,7 +49,10 @@ using namespace Qt::StringLiterals;
 void MainWindow::connectActions() {
     connectFileActions();
     connectViewActions();
+    connectToolActions();
     connectPartActions();
+    connectPinActions();
+    connectDesignActions();
     connectWindowActions();
     // The actions' own keys work wherever the focus is in the window, in menus or not.
     addActions(QList<QAction*>(m_actions.all().begin(), m_actions.all().end()));
@@ -67,12 +73,6 @@ void MainWindow::connectFileActions() {
 }
 
 void MainWindow::connectPartActions() {
-    m_actions.on(u"lay-flat"_s, [this] {
-        m_measure->setActive(false);
-        usePicking();
-        if (m_actions[u"lay-flat"_s]->isChecked() && m_bench.castShown())
-            m_bench.restoreShape();
-    });
     m_actions.on(u"turn-x"_s, [this] { m_bench.quarterTurnPart(Eigen::Vector3d::UnitX()); });
     m_actions.on(u"turn-y"_s, [this] { m_bench.quarterTurnPart(Eigen::Vector3d::UnitY()); });
     m_actions.on(u"turn-z"_s, [this] { m_bench.quarterTurnPart(Eigen::Vector3d::UnitZ()); });
@@ -85,13 +85,16 @@ void MainWindow::connectPartActions() {
         select(u"plane"_s);
         m_bench.takeSuggestedPlane();
     });
-    m_actions.on(u"find-undercuts"_s, [this] { m_bench.findUndercuts(); });
-    m_actions.on(u"fill-here"_s, [this] { m_bench.fillObstruction(obstructionNumber(m_selected)); });
     m_actions.on(u"best-directions"_s, [this] { m_bench.findBestDirections(); });
     m_actions.on(u"normal-directions"_s, [this] {
         const PartingPlane plane = m_bench.project().state->plane;
         m_bench.setState({plane, Directions::normalTo(plane)}, tr("Directions along the normal"));
     });
+}
+
+void MainWindow::connectDesignActions() {
+    m_actions.on(u"find-undercuts"_s, [this] { m_bench.findUndercuts(); });
+    m_actions.on(u"fill-here"_s, [this] { m_bench.fillObstruction(obstructionNumber(m_selected)); });
     m_actions.on(u"run"_s, [this] {
         m_banner->hide();
         select(u"deform"_s);
@@ -126,6 +129,10 @@ void MainWindow::connectWindowActions() {
               : choice == ThemeChoice::Dark ? u"theme-dark"_s
                                             : u"theme-system"_s]
         ->setChecked(true);
+    const std::array steps = {u"step-part"_s,  u"step-plane"_s, u"step-guides"_s, u"step-deform"_s,
+                              u"step-check"_s, u"step-mold"_s,  u"step-report"_s};
+    for (int step = 0; step < stepCount; ++step)
+        m_actions.on(steps[static_cast<std::size_t>(step)], [this, step] { chooseStep(step); });
     m_actions.on(u"next-zone"_s, [this] { walkZones(1); });
     m_actions.on(u"previous-zone"_s, [this] { walkZones(-1); });
     m_actions.on(u"reset-layout"_s, [this] {
@@ -164,6 +171,11 @@ void MainWindow::connectBench() {
         m_actions[m_remedy]->trigger();
     });
     connect(&m_bench, &Workbench::obstructed, this, [this] { select(obstructionId(0)); });
+    connect(&m_bench, &Workbench::planesFound, this, [this] { select(u"plane"_s); });
+    connect(&m_bench, &Workbench::pinsSuggested, this, [this] {
+        if (!pinsChosen(m_selected))
+            select(u"pins"_s);
+    });
     connect(&m_bench, &Workbench::undercutsFound, this, [this] { select(u"undercuts"_s); });
     connect(&m_bench, &Workbench::saved, this,
             [this] { m_savedLabel->setText(tr("Saved %1").arg(QTime::currentTime().toString(u"HH:mm"_s))); });
@@ -197,19 +209,18 @@ void MainWindow::connectPanels() {
     });
     connect(m_tree, &ProjectTree::chosen, this, &MainWindow::select);
     connect(m_tree, &ProjectTree::visibilityToggled, this, [this](const QString& id) {
-        bool& shown = id == u"part"_s    ? m_visible.shape
-                      : id == u"plane"_s ? m_visible.plane
-                      : id == u"mold"_s  ? m_visible.mold
-                                         : m_visible.directions;
-        shown = !shown;
+        if (bool* shown = switchOf(m_visible, id))
+            *shown = !*shown;
         refreshSoon();
     });
     connect(m_projectModel, &ProjectModel::renamed, this,
             [this](const QString&, const QString& name) { m_bench.rename(name); });
-    connect(m_properties, &PropertyPanel::previewed, this,
-            [this](const QString& id, const QVariant& value) { applyProperty(m_bench, id, value, true); });
-    connect(m_properties, &PropertyPanel::committed, this,
-            [this](const QString& id, const QVariant& value) { applyProperty(m_bench, id, value, false); });
+    connect(m_properties, &PropertyPanel::previewed, this, [this](const QString& id, const QVariant& value) {
+        applyProperty(m_bench, m_properties->pageId(), id, value, true);
+    });
+    connect(m_properties, &PropertyPanel::committed, this, [this](const QString& id, const QVariant& value) {
+        applyProperty(m_bench, m_properties->pageId(), id, value, false);
+    });
     connect(m_messages, &MessageList::showMe, this,
             [this](const Eigen::AlignedBox3d& place) { m_view->frame(place); });
     connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {
@@ -305,19 +316,7 @@ void MainWindow::escape() {
     for (const ViewPane* pane : m_views->shown())
         if (pane->view().cancelDrag())
             return;
-    m_actions[u"lay-flat"_s]->setChecked(false);
-    m_measure->setActive(false);
-    usePicking();
-}
-
-void MainWindow::usePicking() {
-    const auto picking = m_measure->active()                     ? PartView::Picking::Place
-                         : m_actions[u"lay-flat"_s]->isChecked() ? PartView::Picking::Face
-                                                                 : PartView::Picking::Nothing;
-    m_actions[u"measure"_s]->setChecked(m_measure->active());
-    for (const ViewPane* pane : m_views->made())
-        pane->view().setPicking(picking);
-    refreshSoon();
+    useTool(Tool::None);
 }
 
 } // namespace moldwright

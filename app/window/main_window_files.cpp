@@ -184,6 +184,21 @@ void MainWindow::chooseFileForReport() {
         m_bench.writeReport(file);
 }
 
+void MainWindow::choosePinsToImport() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Pins from a file"), preferences::folder(),
+                                                      tr("Pins (*.json);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    preferences::setFolderOf(file);
+    m_bench.importPins(file);
+}
+
+void MainWindow::choosePinsToExport() {
+    const QString file = fileToWrite(tr("Pins into a file"), u"-pins.json"_s, tr("Pins (*.json)"));
+    if (!file.isEmpty())
+        m_bench.exportPins(file);
+}
+
 void MainWindow::saveScreenshot() {
     const QString file = fileToWrite(tr("Save a picture"), u".png"_s, tr("PNG pictures (*.png)"));
     if (!file.isEmpty() && !m_view->grabFramebuffer().save(file))

@@ -95,6 +95,7 @@ void MainWindow::buildNavigationMenu(QMenu* menu) {
 void MainWindow::buildWorkflow() {
     m_workflow = new WorkflowBar({{u"part"_s, tr("Part")},
                                   {u"plane"_s, tr("Plane")},
+                                  {u"guides"_s, tr("Guides")},
                                   {u"deform"_s, tr("Deform")},
                                   {u"check"_s, tr("Check")},
                                   {u"mold"_s, tr("Mold")},

@@ -7,6 +7,7 @@
 #include "window/face_paint.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
+#include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/undercut_pages.h"
 #include "window/view_area.h"
@@ -31,6 +32,12 @@ QString layoutCommand(ViewLayout layout) {
     return layout == ViewLayout::One   ? u"one-view"_s
            : layout == ViewLayout::Two ? u"two-views"_s
                                        : u"four-views"_s;
+}
+
+/// Whether a chip tells of the crease: where one decides on it.
+bool creaseTold(const QString& selected, const scene::SharpestCrease& crease) {
+    return crease.degrees >= 1 &&
+           (selected == u"plane"_s || selected.startsWith(u"direction"_s) || selected == u"cast"_s);
 }
 
 /// A direction turned by hand is meant: the run shall take it as it is.
@@ -70,8 +77,8 @@ void MainWindow::buildViews(QWidget* parent) {
 
 void MainWindow::connectPane(ViewPane& pane) {
     m_measure->serve(pane);
+    serveTools(pane);
     PartView* view = &pane.view();
-    usePicking();
     view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
     view->scene().setLook(theme().scene, view->devicePixelRatioF());
     connect(view, &PartView::dragPreviewed, this, [this](const MoldState& state, scene::Grip grip) {
@@ -84,10 +91,6 @@ void MainWindow::connectPane(ViewPane& pane) {
         m_bench.document().edit(words, draggedTo(m_bench.document().committed(), state, grip));
     });
     connect(view, &PartView::dragCancelled, this, [this] { m_bench.document().endPreview(); });
-    connect(view, &PartView::faceClicked, this, [this](int face) {
-        m_bench.layFlatOn(face);
-        escape();
-    });
     connect(view, &PartView::markClicked, this, [this](int chip) {
         const auto obstructions = static_cast<int>(m_bench.obstructions().size());
         const std::vector<int> undercuts = markedUndercuts(m_bench, m_selected);
@@ -122,12 +125,6 @@ void MainWindow::connectViewActions() {
             m_views->setViewLayout(layout);
             refreshSoon();
         });
-    m_actions.on(u"measure"_s, [this] {
-        m_actions[u"lay-flat"_s]->setChecked(false);
-        m_measure->setActive(m_actions[u"measure"_s]->isChecked());
-        usePicking();
-        m_view->setFocus();
-    });
     m_actions.on(u"section"_s, [this] {
         ViewSettings settings = m_views->active().settings();
         settings.cut = m_actions[u"section"_s]->isChecked() ? std::optional(SectionCut()) : std::nullopt;
@@ -223,12 +220,15 @@ void MainWindow::refreshView(ViewPane& pane) {
     scene.setPlaneVisible(m_visible.plane && !inMold);
     scene.setDirectionsVisible(m_visible.directions && !inMold);
     showCut(pane);
-    view.setDirectionLimits(m_bench.project().design.limits);
+    scene.setDirectionLimits(m_bench.project().design.limits, m_selected.startsWith(u"direction"_s));
     scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, surface, settings.mode, map));
     scene.setStateChip(stateChipFor(m_bench, settings.content));
     scene.setChips(surface.drawn && !inMold ? chipsIn(scene, map) : std::vector<scene::Chip>());
     const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
-    scene.setPath(measured ? m_measure->measurement().path() : std::vector<Eigen::Vector3d>());
+    scene.setPath(measured ? m_measure->measurement().path() : m_planePoints);
+    const bool pins = surface.drawn && surface.drawn->mesh == m_bench.project().part && m_visible.pins;
+    const bool suggested = m_visible.suggestedPins && pinsChosen(m_selected);
+    scene.setPins(pins ? shownPins(m_bench, m_selected, suggested) : scene::ShownPins());
     view.redraw();
 }
 
@@ -260,6 +260,15 @@ std::vector<scene::Chip> MainWindow::chipsIn(const scene::Scene& scene, const Fa
                     {{std::to_string(side), side == 1 ? scene::Ink::Side1 : scene::Ink::Side2, true},
                      {tr("%1 to plane normal").arg(angleText(tiltDegrees(*state, side))).toStdString()}},
                     {}}}}});
+    if (const scene::SharpestCrease& crease = scene.sharpestCrease(); creaseTold(m_selected, crease))
+        chips.push_back(
+            {crease.place,
+             {{},
+              {{std::nullopt, {{tr("Crease up to %1").arg(angleText(crease.degrees)).toStdString()}}, {}}}}});
+    if (scene.surface() && scene.surface()->mesh == m_bench.project().part && m_visible.pins)
+        std::ranges::copy(pinChips(m_bench, m_selected), std::back_inserter(chips));
+    for (const Eigen::Vector3d& point : m_planePoints)
+        chips.push_back({point, {}, scene.colours().accent});
     if (map)
         if (const auto largest = largestOf(*map))
             chips.push_back(*largest);

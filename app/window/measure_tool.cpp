@@ -50,7 +50,7 @@ std::optional<MeasuredPoint> MeasureTool::pointAt(const ViewPane& pane,
 }
 
 void MeasureTool::take(const ViewPane& pane, const scene::SurfacePicker::Hit& hit) {
-    const std::optional<MeasuredPoint> point = pointAt(pane, hit);
+    const std::optional<MeasuredPoint> point = m_active ? pointAt(pane, hit) : std::nullopt;
     if (!point)
         return;
     m_measurement.add(m_bench.surface(pane.settings().content).drawn->mesh, *point);

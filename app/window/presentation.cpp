@@ -5,6 +5,7 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "window/obstruction_words.h"
+#include "window/pin_pages.h"
 #include "window/undercut_pages.h"
 #include "window/workbench.h"
 
@@ -29,6 +30,24 @@ QString lengthText(double mm) {
 
 QString sizeText(const Eigen::Vector3d& size) {
     return u"%1 × %2 × %3"_s.arg(size.x(), 0, 'f', 0).arg(size.y(), 0, 'f', 0).arg(size.z(), 0, 'f', 0);
+}
+
+StepState guidesState(const Workbench& bench) {
+    const auto pins = bench.project().pins.size();
+    if (pins == 0)
+        return {Standing::Todo, Words::tr("No pins")};
+    return {Standing::Done, pins == 1 ? Words::tr("1 pin") : Words::tr("%1 pins").arg(pins)};
+}
+
+StepState planeState(const Workbench& bench) {
+    const Project& project = bench.project();
+    if (!project.planeChosenByHand)
+        return project.cast ? StepState{Standing::Done, Words::tr("Found by the run")}
+                            : StepState{Standing::Todo, Words::tr("Not chosen yet")};
+    if (const int taken = bench.offeredPlane(); taken >= 0)
+        return {Standing::Done,
+                Words::tr("Number %1 of %2").arg(taken + 1).arg(bench.offeredPlanes().size())};
+    return {Standing::Done, Words::tr("Chosen")};
 }
 
 StepState deformState(const Workbench& bench) {
@@ -74,6 +93,99 @@ QString planeTilt(const MoldState& state) {
     return Words::tr("%1 to level").arg(angleText(angle));
 }
 
+void addPartRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Visibility& visible) {
+    const Project& project = bench.project();
+    const double longest = bench.figures(project.part).box.sizes().maxCoeff();
+    rows.push_back({.id = u"part"_s,
+                    .iconName = u"part"_s,
+                    .name = QString::fromStdString(project.name),
+                    .value = lengthText(longest),
+                    .visible = visible.shape,
+                    .strong = true,
+                    .renamable = true});
+    rows.push_back({.id = u"surface"_s,
+                    .parent = 0,
+                    .iconName = u"edges"_s,
+                    .name = Words::tr("Surface"),
+                    .value = Words::tr("%1 faces").arg(project.part->faceCount())});
+}
+
+QColor sideColour(int side) {
+    return toColor(side == 1 ? theme().scene.side1 : theme().scene.side2);
+}
+
+void addPlaneRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Visibility& visible) {
+    const MoldState& state = *bench.project().state;
+    rows.push_back({.id = u"plane"_s,
+                    .iconName = u"plane"_s,
+                    .name = Words::tr("Parting plane"),
+                    .value = planeTilt(state),
+                    .visible = visible.plane,
+                    .strong = true});
+    const int plane = static_cast<int>(rows.size()) - 1;
+    for (const int side : {1, 2})
+        rows.push_back({.id = u"direction-%1"_s.arg(side),
+                        .parent = plane,
+                        .iconName = u"direction"_s,
+                        .tint = sideColour(side),
+                        .name = Words::tr("Direction %1").arg(side),
+                        .value = angleText(tiltDegrees(state, side)),
+                        .visible = visible.directions});
+}
+
+void addDeformRows(std::vector<ProjectRow>& rows, const Workbench& bench) {
+    const StepState deform = deformState(bench);
+    rows.push_back({.id = u"deform"_s,
+                    .iconName = u"deform"_s,
+                    .name = Words::tr("Deform"),
+                    .value = deform.words,
+                    .strong = true,
+                    .stale = deform.standing == Standing::Stale});
+    const int parent = static_cast<int>(rows.size()) - 1;
+    for (int i = 0; i < static_cast<int>(bench.obstructions().size()); ++i)
+        rows.push_back({.id = obstructionId(i),
+                        .parent = parent,
+                        .iconName = u"error"_s,
+                        .tint = theme().error,
+                        .name = kindName(bench.obstructions()[i].kind),
+                        .value = bench.willBeFilled(i) ? Words::tr("will be filled")
+                                                       : sizeText(bench.obstructions()[i])});
+    addUndercutRows(rows, parent, bench);
+    if (bench.project().cast)
+        rows.push_back({
+            .id = u"cast"_s,
+            .parent = parent,
+            .iconName = u"result"_s,
+            .name = Words::tr("Cast"),
+            .value = bench.castIsProved() ? draftText(bench.analysis()->certificate->worstDraftDegrees)
+                                          : checkState(bench).words,
+        });
+}
+
+void addMoldRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Visibility& visible) {
+    const StepState mold = moldState(bench);
+    ProjectRow moldRow{.id = u"mold"_s,
+                       .iconName = u"mold"_s,
+                       .name = Words::tr("Mold"),
+                       .value = mold.words,
+                       .strong = true,
+                       .stale = mold.standing == Standing::Stale};
+    if (bench.moldIsCurrent())
+        moldRow.visible = visible.mold;
+    rows.push_back(moldRow);
+    if (!bench.mold())
+        return;
+    const int parent = static_cast<int>(rows.size()) - 1;
+    for (const int side : {1, 2})
+        rows.push_back({.id = u"half-%1"_s.arg(side),
+                        .parent = parent,
+                        .iconName = u"block"_s,
+                        .tint = sideColour(side),
+                        .name = Words::tr("Half %1").arg(side),
+                        .value = sizeText((side == 1 ? bench.mold()->half1 : bench.mold()->half2).size),
+                        .stale = !bench.moldIsCurrent()});
+}
+
 } // namespace
 
 QString angleText(double degrees, int decimals) {
@@ -100,14 +212,8 @@ std::array<StepState, stepCount> stepStates(const Workbench& bench) {
         return states;
     const double longest = bench.figures(project.part).box.sizes().maxCoeff();
     states[int(Step::Part)] = {Standing::Done, Words::tr("%1, closed").arg(lengthText(longest))};
-    states[int(Step::Plane)] =
-        !project.planeChosenByHand && project.cast ? StepState{Standing::Done, Words::tr("Found by the run")}
-        : !project.planeChosenByHand               ? StepState{Standing::Todo, Words::tr("Not chosen yet")}
-        : bench.candidate() >= 0 && project.state == bench.candidates()[bench.candidate()].state
-            ? StepState{Standing::Done, Words::tr("Number %1 of %2")
-                                            .arg(bench.candidate() + 1)
-                                            .arg(bench.candidates().size())}
-            : StepState{Standing::Done, Words::tr("Chosen")};
+    states[int(Step::Plane)] = planeState(bench);
+    states[int(Step::Guides)] = guidesState(bench);
     states[int(Step::Deform)] = deformState(bench);
     states[int(Step::Check)] = checkState(bench);
     states[int(Step::Mold)] = moldState(bench);
@@ -117,97 +223,26 @@ std::array<StepState, stepCount> stepStates(const Workbench& bench) {
 }
 
 std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& visible) {
-    const Project& project = bench.project();
     std::vector<ProjectRow> rows;
-    if (!project.part)
+    if (!bench.project().part)
         return rows;
-    const auto& t = theme().scene;
-    const double longest = bench.figures(project.part).box.sizes().maxCoeff();
-    rows.push_back({.id = u"part"_s,
-                    .iconName = u"part"_s,
-                    .name = QString::fromStdString(project.name),
-                    .value = lengthText(longest),
-                    .visible = visible.shape,
-                    .strong = true,
-                    .renamable = true});
-    rows.push_back({.id = u"surface"_s,
-                    .parent = 0,
-                    .iconName = u"edges"_s,
-                    .name = Words::tr("Surface"),
-                    .value = Words::tr("%1 faces").arg(project.part->faceCount())});
-    if (project.state) {
-        rows.push_back({.id = u"plane"_s,
-                        .iconName = u"plane"_s,
-                        .name = Words::tr("Parting plane"),
-                        .value = planeTilt(*project.state),
-                        .visible = visible.plane,
-                        .strong = true});
-        const int plane = static_cast<int>(rows.size()) - 1;
-        for (const int side : {1, 2})
-            rows.push_back({.id = u"direction-%1"_s.arg(side),
-                            .parent = plane,
-                            .iconName = u"direction"_s,
-                            .tint = toColor(side == 1 ? t.side1 : t.side2),
-                            .name = Words::tr("Direction %1").arg(side),
-                            .value = angleText(tiltDegrees(*project.state, side)),
-                            .visible = visible.directions});
-    }
-    const StepState deform = deformState(bench);
-    rows.push_back({.id = u"deform"_s,
-                    .iconName = u"deform"_s,
-                    .name = Words::tr("Deform"),
-                    .value = deform.words,
-                    .strong = true,
-                    .stale = deform.standing == Standing::Stale});
-    const int deformRow = static_cast<int>(rows.size()) - 1;
-    for (int i = 0; i < static_cast<int>(bench.obstructions().size()); ++i)
-        rows.push_back({.id = obstructionId(i),
-                        .parent = deformRow,
-                        .iconName = u"error"_s,
-                        .tint = theme().error,
-                        .name = kindName(bench.obstructions()[i].kind),
-                        .value = bench.willBeFilled(i) ? Words::tr("will be filled")
-                                                       : sizeText(bench.obstructions()[i])});
-    addUndercutRows(rows, deformRow, bench);
-    if (project.cast) {
-        rows.push_back({
-            .id = u"cast"_s,
-            .parent = deformRow,
-            .iconName = u"result"_s,
-            .name = Words::tr("Cast"),
-            .value = bench.castIsProved() ? draftText(bench.analysis()->certificate->worstDraftDegrees)
-                                          : checkState(bench).words,
-        });
-    }
-    const StepState mold = moldState(bench);
-    ProjectRow moldRow{.id = u"mold"_s,
-                       .iconName = u"mold"_s,
-                       .name = Words::tr("Mold"),
-                       .value = mold.words,
-                       .strong = true,
-                       .stale = mold.standing == Standing::Stale};
-    if (bench.moldIsCurrent())
-        moldRow.visible = visible.mold;
-    rows.push_back(moldRow);
-    if (bench.mold()) {
-        const int parent = static_cast<int>(rows.size()) - 1;
-        const bool stale = !bench.moldIsCurrent();
-        rows.push_back({.id = u"half-1"_s,
-                        .parent = parent,
-                        .iconName = u"block"_s,
-                        .tint = toColor(t.side1),
-                        .name = Words::tr("Half 1"),
-                        .value = sizeText(bench.mold()->half1.size),
-                        .stale = stale});
-        rows.push_back({.id = u"half-2"_s,
-                        .parent = parent,
-                        .iconName = u"block"_s,
-                        .tint = toColor(t.side2),
-                        .name = Words::tr("Half 2"),
-                        .value = sizeText(bench.mold()->half2.size),
-                        .stale = stale});
-    }
+    addPartRows(rows, bench, visible);
+    if (bench.project().state)
+        addPlaneRows(rows, bench, visible);
+    addPinRows(rows, bench, visible);
+    addDeformRows(rows, bench);
+    addMoldRows(rows, bench, visible);
     return rows;
+}
+
+bool* switchOf(Visibility& visible, const QString& id) {
+    return id == u"part"_s                 ? &visible.shape
+           : id == u"plane"_s              ? &visible.plane
+           : id == u"mold"_s               ? &visible.mold
+           : id == u"pins"_s               ? &visible.pins
+           : id == u"suggested-pins"_s     ? &visible.suggestedPins
+           : id.startsWith(u"direction"_s) ? &visible.directions
+                                           : nullptr;
 }
 
 Verdict verdictOf(const Workbench& bench) {

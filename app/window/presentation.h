@@ -23,11 +23,16 @@ struct Visibility {
     bool plane = true;
     bool directions = true;
     bool mold = true;
+    bool pins = true;
+    bool suggestedPins = true;
 };
 
+/// What the eye of a row in the tree shows and hides; null for a row without one.
+[[nodiscard]] bool* switchOf(Visibility& visible, const QString& id);
+
 /// The steps of the job.
-enum class Step { Part, Plane, Deform, Check, Mold, Report };
-inline constexpr int stepCount = 6;
+enum class Step { Part, Plane, Guides, Deform, Check, Mold, Report };
+inline constexpr int stepCount = 7;
 
 struct StepState {
     Standing standing = Standing::Todo;

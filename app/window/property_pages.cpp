@@ -3,6 +3,8 @@
 
 #include "window/action_table.h"
 #include "window/obstruction_words.h"
+#include "window/pin_pages.h"
+#include "window/presentation.h"
 #include "window/sentence.h"
 #include "window/undercut_pages.h"
 #include "window/workbench.h"
@@ -86,7 +88,30 @@ PropertyPage partPage(const Workbench& bench, const Actions& actions) {
     return page;
 }
 
-PropertyPage planePage(const Workbench&, const Actions& actions) {
+/// The planes of the last search, to be tried by a click or the arrow keys.
+PropertySection offeredSection(const Workbench& bench) {
+    PicturesProperty pictures;
+    const QString required = angleText(bench.project().design.draftDegrees);
+    for (const OfferedPlane& offered : bench.offeredPlanes()) {
+        const PlaneCandidate& plane = offered.plane;
+        const scene::SmallPicture& drawn = offered.picture;
+        const QImage picture(drawn.rgba.data(), drawn.width, drawn.height, QImage::Format_RGBA8888);
+        const QString below =
+            Words::tr("%1 below %2").arg(percentText(plane.violatingAreaFraction), required);
+        const QString worst = Words::tr("Worst draft %1").arg(draftText(plane.worstDraftDegrees));
+        const QString tilt =
+            Words::tr("Directions tilted by %1 and %2, %3 of the volume on the smaller side")
+                .arg(angleText(tiltDegrees(plane.state, 1)), angleText(tiltDegrees(plane.state, 2)),
+                     percentText(plane.smallerVolumeFraction));
+        pictures.pictures.push_back({picture.copy(), below, worst, below + u'\n' + worst + u'\n' + tilt});
+    }
+    return {Words::tr("Planes found, best first"),
+            {Property{u"offered"_s, Words::tr("Planes found, best first"), {}, std::move(pictures)}},
+            {},
+            false};
+}
+
+PropertyPage planePage(const Workbench& bench, const Actions& actions) {
     PropertyPage page{u"plane"_s,
                       u"plane"_s,
                       Words::tr("Parting plane"),
@@ -99,6 +124,10 @@ PropertyPage planePage(const Workbench&, const Actions& actions) {
                                      {u"mm"_s, -10000, 10000, 1, 2, false})},
                              {actions[u"best-plane"_s], actions[u"next-plane"_s], actions[u"along-normal"_s]},
                              true});
+    if (!bench.offeredPlanes().empty()) {
+        page.sections.push_back(offeredSection(bench));
+        page.layout = u"search-%1"_s.arg(bench.searchNumber());
+    }
     page.sections.push_back({Words::tr("Directions"),
                              directionRows(),
                              {actions[u"best-directions"_s], actions[u"normal-directions"_s]},
@@ -107,7 +136,9 @@ PropertyPage planePage(const Workbench&, const Actions& actions) {
         {Words::tr("Measured"),
          {goalReading(u"worst"_s, Words::tr("Worst draft")), goalReading(u"below"_s, Words::tr("Area below")),
           goalReading(u"tilt1"_s, Words::tr("Direction 1"), Words::tr("Angle to the plane's normal.")),
-          goalReading(u"tilt2"_s, Words::tr("Direction 2"), Words::tr("Angle to the plane's normal."))},
+          goalReading(u"tilt2"_s, Words::tr("Direction 2"), Words::tr("Angle to the plane's normal.")),
+          goalReading(u"crease"_s, Words::tr("Sharpest crease"),
+                      Words::tr("At the parting line, where the directions are not parallel."))},
          {},
          false});
     return page;
@@ -145,6 +176,7 @@ PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
                       Words::tr("Deform"),
                       Words::tr("Bends the part until both halves come off."),
                       {}};
+    page.layout = bench.running() ? u"running"_s : QString();
     PropertySection goal = draftGoal();
     goal.rows.push_back({u"method"_s, Words::tr("Method"), Words::tr("How the shape is bent."),
                          ChoiceProperty{{Words::tr("Elastic, then finish"), Words::tr("As in the paper")}}});
@@ -198,6 +230,7 @@ PropertyPage obstructionPage(int number, const Workbench& bench, const Actions& 
 
 PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
     PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), Words::tr("Two halves around the cast."), {}};
+    page.layout = bench.moldIsCurrent() ? u"built"_s : QString();
     const NumberProperty wall{u"mm"_s, 1, 100, 0.5, 1, true};
     NumberProperty steel = wall;
     steel.maximum = 25;
@@ -258,6 +291,8 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
         return obstructionPage(number, bench, actions);
     if (selected.startsWith(u"undercut"_s))
         return undercutPage(undercutNumber(selected), bench, actions);
+    if (pinsChosen(selected))
+        return pinPage(pinNumber(selected), bench, actions);
     if (selected == u"deform"_s)
         return deformPage(bench, actions);
     if (selected == u"cast"_s)

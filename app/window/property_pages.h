@@ -17,8 +17,9 @@ class Workbench;
 /// Writes the workbench's values into the page that the panel shows.
 void fillPage(PropertyPanel& panel, const Workbench& bench);
 
-/// Takes a value typed or dragged in the panel into the document: a preview while dragged, else one undo
-/// step.
-void applyProperty(Workbench& bench, const QString& id, const QVariant& value, bool preview);
+/// Takes a value typed or dragged on a page of the panel into the document: a preview while dragged, else one
+/// undo step.
+void applyProperty(Workbench& bench, const QString& page, const QString& id, const QVariant& value,
+                   bool preview);
 
 } // namespace moldwright

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What the rows of the property pages show, and what typing into them does.
+#include "castability/crease.h"
 #include "mesh/measures.h"
 #include "panels/progress_plots.h"
 #include "project/edits.h"
@@ -7,6 +8,7 @@
 #include "scene/direction_handle.h"
 #include "scene/plane_handle.h"
 #include "window/obstruction_words.h"
+#include "window/pin_pages.h"
 #include "window/presentation.h"
 #include "window/property_pages.h"
 #include "window/undercut_pages.h"
@@ -77,6 +79,8 @@ void fillState(PropertyPanel& panel, const Workbench& bench) {
     if (!state)
         return;
     panel.setValue(u"offset"_s, state->plane.offset);
+    panel.setValue(u"crease"_s, measured(angleText(sharpestCreaseDegrees(*state))));
+    panel.setValue(u"offered"_s, bench.offeredPlane());
     const QString limit = u"≤ "_s + angleText(bench.project().design.limits.maxTiltDegrees, 0);
     for (const int side : {1, 2}) {
         const scene::Lean lean = scene::leanOf(*state, side);
@@ -274,11 +278,18 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     fillMold(panel, bench);
     fillObstruction(panel, bench);
     fillUndercutPage(panel, bench);
+    fillPinPage(panel, bench);
 }
 
-void applyProperty(Workbench& bench, const QString& id, const QVariant& value, bool preview) {
-    if (applyTreatment(bench, id, value.toInt()))
+void applyProperty(Workbench& bench, const QString& page, const QString& id, const QVariant& value,
+                   bool preview) {
+    if (applyTreatment(bench, id, value.toInt()) || applyPinValue(bench, id, page, value.toDouble(), preview))
         return;
+    if (id == u"offered"_s) {
+        if (!bench.background().busy())
+            bench.takeOffered(value.toInt());
+        return;
+    }
     const auto edit = editFor(bench.document().committed(), id, value);
     if (!edit)
         bench.document().endPreview();

@@ -26,8 +26,10 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
         askAnalysis();
         askPart();
         forgetOldMaps();
+        askRanks();
         Q_EMIT changed();
     });
+    connect(&m_ranks, &LiveRanks::answered, this, &Workbench::takeRanks);
     connect(&m_document, &Document::historyChanged, this, &Workbench::changed);
     connect(&m_analysis, &LiveAnalysis::answered, this, [this](const auto& answer) {
         m_answer = answer;

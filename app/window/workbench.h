@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "castability/plane_search.h"
 #include "design/filling.h"
 #include "exchange/mesh_file.h"
 #include "mesh/check.h"
@@ -14,7 +13,9 @@
 #include "window/frame_stream.h"
 #include "window/live_analysis.h"
 #include "window/live_maps.h"
+#include "window/live_ranks.h"
 #include "window/mesh_figures.h"
+#include "window/plane_offers.h"
 #include "window/run_control.h"
 
 #include <QObject>
@@ -104,8 +105,12 @@ public:
     [[nodiscard]] bool bending() const { return m_frame && m_frame->frame.stage == "deformation"; }
     [[nodiscard]] const std::optional<ShownFrame>& frame() const { return m_frame; }
     [[nodiscard]] const std::vector<ProgressPoint>& progress() const { return m_progress; }
-    [[nodiscard]] const std::vector<PlaneCandidate>& candidates() const { return m_candidates; }
-    [[nodiscard]] int candidate() const { return m_candidate; }
+    /// The planes that the last search offers for this part, best first; none before a search.
+    [[nodiscard]] const std::vector<OfferedPlane>& offeredPlanes() const;
+    /// The one of them that is taken; −1 for none.
+    [[nodiscard]] int offeredPlane() const;
+    /// Another word for each search, so that a list of its planes can be kept until the next.
+    [[nodiscard]] int searchNumber() const { return m_searchNumber; }
 
     /// What stood in the way of the last run, as long as part and plane are those it ran with.
     [[nodiscard]] const std::vector<Obstruction>& obstructions() const;
@@ -138,7 +143,10 @@ public:
     void centrePart();
 
     // Plane and directions
+    /// Searches, takes the best plane, and offers the others.
     void findBestPlane();
+    /// Takes one of offeredPlanes(). Those tried one after the other are one undo step.
+    void takeOffered(int plane);
     void takeNextPlane();
     /// A plane at which none of the obstructions() stands in the way, if the run found one.
     [[nodiscard]] std::optional<MoldState> suggestedPlane() const;
@@ -162,6 +170,27 @@ public:
     [[nodiscard]] std::vector<Eigen::Vector3d> placesToFill(int obstruction) const;
     [[nodiscard]] bool willBeFilled(int obstruction) const;
     void fillObstruction(int obstruction);
+
+    // Pins
+    void addPin(const Eigen::Vector3d& place);
+    void movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey);
+    void removePin(int pin);
+    void clearPins();
+    /// Pins from and to the JSON that the command line takes.
+    void importPins(const QString& file);
+    void exportPins(const QString& file);
+    /// Looks for points worth pinning; suggestionsInView() has them then.
+    void suggestPins();
+    [[nodiscard]] bool suggestionsKnown() const;
+    static constexpr int fewestSuggestedPins = 20;
+    static constexpr int mostSuggestedPins = 60;
+    [[nodiscard]] int suggestionCount() const { return m_suggestionCount; }
+    void setSuggestionCount(int count);
+    /// The best suggestionCount() at the plane, best first, without those taken.
+    [[nodiscard]] std::vector<SuggestedPin> suggestionsInView() const;
+    void acceptSuggestion(int suggestion);
+    /// Takes all in view that are ends of limbs.
+    void acceptTips();
 
     // The cast and its mold
     void run();
@@ -193,6 +222,8 @@ Q_SIGNALS:
     /// A run found obstructions().
     void obstructed();
     void undercutsFound();
+    void planesFound();
+    void pinsSuggested();
     void moldBuilt();
     void saved();
     void reportWritten(const QString& file);
@@ -208,6 +239,9 @@ private:
     void tellOfStop(const DesignResult& result);
     void pullFrames();
     [[nodiscard]] int undercutOf(const UndercutChoice& choice) const;
+    void setPins(std::vector<Pin> pins, const QString& words, const QString& mergeKey = {});
+    void askRanks();
+    void takeRanks(const RankRequest& request, const std::shared_ptr<const PinSuggestions>& ranked);
     void askAnalysis();
     void askPart();
     void forgetOldMaps();
@@ -232,9 +266,9 @@ private:
     QTimer m_frameTimer;
     std::optional<ShownFrame> m_frame;
     std::vector<ProgressPoint> m_progress;
-    std::vector<PlaneCandidate> m_candidates;
-    SharedMesh m_candidatesPart;
-    int m_candidate = -1;
+    std::vector<OfferedPlane> m_offered;
+    SharedMesh m_offeredPart;
+    int m_searchNumber = 0;
     std::vector<Obstruction> m_obstructions;
     SharedMesh m_obstructedPart;
     std::optional<MoldState> m_obstructedState;
@@ -243,6 +277,12 @@ private:
         std::optional<MoldState> state;
         std::vector<FillableUndercut> list;
     } m_undercuts; ///< of this part at this state
+    LiveRanks m_ranks;
+    std::shared_ptr<const PinSuggestions> m_suggested;  ///< as found
+    std::shared_ptr<const PinSuggestions> m_rankedPins; ///< the same, ranked as answered last
+    SharedMesh m_suggestedPart;
+    std::optional<RankRequest> m_ranked; ///< the last one asked
+    int m_suggestionCount = 40;
     std::shared_ptr<const Mold> m_mold;
     std::array<scene::SharedDrawnMesh, 2> m_drawnHalves;
     std::shared_ptr<const CastResult> m_moldCast;

@@ -3,45 +3,13 @@
 #include "window/workbench.h"
 
 #include "castability/directions.h"
-#include "design/parting.h"
 #include "project/edits.h"
+#include "theme/theme.h"
 #include "window/sentence.h"
 
 namespace moldwright {
 
 namespace {
-
-PlaneSearch searchFor(const DesignSettings& settings) {
-    PlaneSearch search;
-    search.draftDegrees = settings.draftDegrees;
-    search.limits = settings.limits;
-    search.normalDirections = settings.directionsChoice == DirectionsChoice::Normal;
-    search.seed = settings.seed;
-    return search;
-}
-
-constexpr int planesSearched = 40;
-constexpr int planesOffered = 6;
-
-/// The best planes at which the part can be bent to castable; where none is, the best ones all the same.
-std::vector<PlaneCandidate> workablePlanes(const IndexedMesh& part, const DesignSettings& settings,
-                                           const Task& task) {
-    PlaneSearch search = searchFor(settings);
-    search.count = planesSearched;
-    std::vector<PlaneCandidate> found = findPlanes(part, search, task);
-    std::vector<PlaneCandidate> workable;
-    for (const PlaneCandidate& plane : found) {
-        if (task.stopped() || workable.size() == planesOffered)
-            break;
-        if (planePasses(part, plane.state))
-            workable.push_back(plane);
-    }
-    if (workable.empty()) {
-        found.resize(std::min<std::size_t>(found.size(), planesOffered));
-        return found;
-    }
-    return workable;
-}
 
 DesignRequest requestFor(const Project& project) {
     DesignRequest request;
@@ -69,36 +37,55 @@ DesignRequest requestFor(const Project& project) {
 
 void Workbench::findBestPlane() {
     const Project from = m_document.committed();
-    m_background.start(tr("Searching planes"), [=, this](const Task& task) -> Background::Finish {
-        const std::vector<PlaneCandidate> found = workablePlanes(*from.part, from.design, task);
+    const auto work = [=, this, colours = theme().scene](const Task& task) -> Background::Finish {
+        const std::vector<OfferedPlane> found = offerPlanes(*from.part, from.design, colours, task);
         const bool stopped = task.stopped();
         return [=, this] {
             if (stopped || found.empty()) {
                 say(Standing::Info, tr("The search for planes was stopped."));
                 return;
             }
-            m_candidates = found;
-            m_candidatesPart = from.part;
-            m_candidate = -1;
-            takeNextPlane();
+            m_offered = found;
+            m_offeredPart = from.part;
+            ++m_searchNumber;
+            takeOffered(0);
+            Q_EMIT planesFound();
         };
-    });
+    };
+    m_background.start(tr("Searching planes"), work);
+}
+
+const std::vector<OfferedPlane>& Workbench::offeredPlanes() const {
+    static const std::vector<OfferedPlane> none;
+    return m_offeredPart && m_offeredPart == project().part ? m_offered : none;
+}
+
+int Workbench::offeredPlane() const {
+    const auto& offered = offeredPlanes();
+    for (std::size_t i = 0; i < offered.size(); ++i)
+        if (project().state == offered[i].plane.state)
+            return static_cast<int>(i);
+    return -1;
+}
+
+void Workbench::takeOffered(int plane) {
+    const PlaneCandidate& taken = offeredPlanes().at(static_cast<std::size_t>(plane)).plane;
+    if (project().state == taken.state && project().planeChosenByHand)
+        return;
+    setState(taken.state, plane == 0 ? tr("Best plane") : tr("Plane %1 of the search").arg(plane + 1),
+             QStringLiteral("offered-plane"));
+    say(Standing::Done, tr("Plane %1 of %2 taken: %3 % of the surface below %4°.")
+                            .arg(plane + 1)
+                            .arg(offeredPlanes().size())
+                            .arg(100 * taken.violatingAreaFraction, 0, 'f', 1)
+                            .arg(project().design.draftDegrees, 0, 'f', 1));
 }
 
 void Workbench::takeNextPlane() {
-    if (m_candidates.empty() || m_candidatesPart != m_document.committed().part) {
+    if (offeredPlanes().empty())
         findBestPlane();
-        return;
-    }
-    m_candidate = (m_candidate + 1) % static_cast<int>(m_candidates.size());
-    const PlaneCandidate& plane = m_candidates[m_candidate];
-    setState(plane.state,
-             m_candidate == 0 ? tr("Best plane") : tr("Plane %1 of the search").arg(m_candidate + 1));
-    say(Standing::Done, tr("Plane %1 of %2 taken: %3 % of the surface below %4°.")
-                            .arg(m_candidate + 1)
-                            .arg(m_candidates.size())
-                            .arg(100 * plane.violatingAreaFraction, 0, 'f', 1)
-                            .arg(project().design.draftDegrees, 0, 'f', 1));
+    else
+        takeOffered((offeredPlane() + 1) % static_cast<int>(offeredPlanes().size()));
 }
 
 std::optional<MoldState> Workbench::suggestedPlane() const {

@@ -67,8 +67,9 @@ void Workbench::readProject(const QString& file) {
 }
 
 void Workbench::show(const Project& project, const QString& file) {
-    m_candidates.clear();
-    m_candidate = -1;
+    m_offered.clear();
+    m_offeredPart.reset();
+    m_suggestedPart.reset();
     m_progress.clear();
     m_mold.reset();
     m_moldCast.reset();

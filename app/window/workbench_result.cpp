@@ -6,6 +6,7 @@
 #include "window/obstruction_words.h"
 #include "window/sentence.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace moldwright {
@@ -75,6 +76,12 @@ void Workbench::tellOfCast(const DesignResult& result) {
                 .arg(kindName(obstruction.kind), sizeText(obstruction))
                 .arg(obstruction.side),
             boxOf(obstruction));
+    if (!result.pins.empty()) {
+        const auto farthest = std::ranges::max_element(result.pins, {}, &PinnedPoint::distanceFromPlane);
+        say(Standing::Info, tr("Pins: %1, at most %2 mm from the plane.")
+                                .arg(result.pins.size())
+                                .arg(farthest->distanceFromPlane, 0, 'g', 2));
+    }
     say(Standing::Done, tr("Castable: proved at %1°, mean distance to the part %2 % of its diagonal.")
                             .arg(std::floor(10 * result.certificate.worstDraftDegrees) / 10, 0, 'f', 1)
                             .arg(100 * result.change.meanDistance, 0, 'f', 2));

@@ -42,6 +42,11 @@ CommandSearch::CommandSearch(QWidget* parent) : QLineEdit(parent), m_list(new QL
     connect(m_list, &QListWidget::itemClicked, this, &CommandSearch::run);
 }
 
+void CommandSearch::setOwnCommand(QAction* command) {
+    m_own = command;
+    connect(command, &QAction::changed, this, qOverload<>(&QWidget::update));
+}
+
 void CommandSearch::list() {
     m_list->clear();
     for (QAction* command : m_commands) {
@@ -119,7 +124,7 @@ void CommandSearch::paintEvent(QPaintEvent* event) {
     painter.setFont(font);
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter,
-                     QStringLiteral("Ctrl+K"));
+                     m_own ? m_own->shortcut().toString(QKeySequence::NativeText) : QString());
 }
 
 } // namespace moldwright

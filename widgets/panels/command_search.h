@@ -17,6 +17,8 @@ class CommandSearch : public QLineEdit {
 public:
     explicit CommandSearch(QWidget* parent = nullptr);
     void setCommands(std::vector<QAction*> commands) { m_commands = std::move(commands); }
+    /// The command that leads here: its key is shown.
+    void setOwnCommand(QAction* command);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -30,6 +32,7 @@ private:
 
     std::vector<QAction*> m_commands;
     QListWidget* m_list;
+    QAction* m_own = nullptr;
 };
 
 } // namespace moldwright

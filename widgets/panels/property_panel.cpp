@@ -77,11 +77,12 @@ PropertyPanel::PropertyPanel(QWidget* parent) : QScrollArea(parent) {
 }
 
 void PropertyPanel::showPage(const PropertyPage& page, bool evenIfSame) {
-    if (page.id == m_pageId && !evenIfSame) {
+    if (page.id == m_pageId && page.layout == m_layout && !evenIfSame) {
         setOwner(page.owner);
         return;
     }
     m_pageId = page.id;
+    m_layout = page.layout;
     m_rows.clear();
     auto* body = new QWidget(this);
     auto* column = new QVBoxLayout(body);
@@ -129,11 +130,12 @@ void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* colu
     int line = 0;
     for (const Property& property : section.rows) {
         Row row;
-        QWidget* editor = std::holds_alternative<NumberProperty>(property.kind)
-                              ? makeNumber(property, std::get<NumberProperty>(property.kind), row)
-                          : std::holds_alternative<ChoiceProperty>(property.kind)
-                              ? makeChoice(property, std::get<ChoiceProperty>(property.kind), row)
-                              : makeReading(std::get<ReadingProperty>(property.kind), row);
+        QWidget* editor = makeEditor(property, row);
+        if (row.pictures) {
+            grid->addWidget(editor, line++, 0, 1, 2);
+            m_rows[property.id] = row;
+            continue;
+        }
         auto* label = makeLabel(property.label, this, false);
         label->setToolTip(property.help);
         label->setBuddy(row.field ? static_cast<QWidget*>(row.field) : row.choice);
@@ -153,6 +155,25 @@ void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* colu
         column->addWidget(paragraph);
     }
     addButtons(section, column);
+}
+
+QWidget* PropertyPanel::makeEditor(const Property& property, Row& row) {
+    if (const auto* number = std::get_if<NumberProperty>(&property.kind))
+        return makeNumber(property, *number, row);
+    if (const auto* choice = std::get_if<ChoiceProperty>(&property.kind))
+        return makeChoice(property, *choice, row);
+    if (const auto* pictures = std::get_if<PicturesProperty>(&property.kind))
+        return makePictures(property, *pictures, row);
+    return makeReading(std::get<ReadingProperty>(property.kind), row);
+}
+
+QWidget* PropertyPanel::makePictures(const Property& property, const PicturesProperty& pictures, Row& row) {
+    row.pictures = new PictureList(pictures.pictures, this);
+    row.pictures->setAccessibleName(property.label);
+    row.pictures->setObjectName(QStringLiteral("pictures-") + property.id);
+    const QString id = property.id;
+    connect(row.pictures, &PictureList::chosen, this, [this, id](int index) { Q_EMIT committed(id, index); });
+    return row.pictures;
 }
 
 QWidget* PropertyPanel::makeNumber(const Property& property, const NumberProperty& number, Row& row) {
@@ -274,6 +295,8 @@ void PropertyPanel::setValue(const QString& id, const QVariant& value) {
         const QSignalBlocker quiet(row.choice);
         row.choice->setCurrentIndex(value.toInt());
     }
+    if (row.pictures)
+        row.pictures->setChosen(value.toInt());
     if (row.reading) {
         const QStringList words = value.toStringList();
         row.reading->setText(words.value(0));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "panels/picture_list.h"
+
 #include <QScrollArea>
 #include <QVariant>
 
@@ -38,12 +40,17 @@ struct ReadingProperty {
     bool withGoal = false;
 };
 
+/// Pictures to choose from, across the whole panel; the value is the index, −1 for none.
+struct PicturesProperty {
+    std::vector<PictureChoice> pictures;
+};
+
 /// One row of the panel.
 struct Property {
     QString id;
     QString label;
     QString help;
-    std::variant<NumberProperty, ChoiceProperty, ReadingProperty> kind;
+    std::variant<NumberProperty, ChoiceProperty, ReadingProperty, PicturesProperty> kind;
 };
 
 /// A section: rows, then paragraphs, then its buttons, two side by side. The first action of a primary
@@ -62,6 +69,7 @@ struct PropertyPage {
     QString title;
     QString owner; ///< what it belongs to, under the title
     std::vector<PropertySection> sections;
+    QString layout = {}; ///< another word for the same page: it is laid out anew
 };
 
 /// Shows and edits what is selected, made from a table. Values preview while a slider is dragged and are
@@ -71,7 +79,7 @@ class PropertyPanel : public QScrollArea {
 public:
     explicit PropertyPanel(QWidget* parent = nullptr);
 
-    /// Lays out another page; the same page (id) is kept as it is.
+    /// Lays out another page; the same page (id and layout) is kept as it is.
     void showPage(const PropertyPage& page, bool evenIfSame = false);
     [[nodiscard]] const QString& pageId() const { return m_pageId; }
 
@@ -93,6 +101,7 @@ private:
         QComboBox* choice = nullptr;
         QLabel* reading = nullptr;
         QLabel* goal = nullptr;
+        PictureList* pictures = nullptr;
         NumberProperty number;
     };
 
@@ -101,10 +110,13 @@ private:
     QWidget* makeNumber(const Property& property, const NumberProperty& number, Row& row);
     QWidget* makeChoice(const Property& property, const ChoiceProperty& choice, Row& row);
     QWidget* makeReading(const ReadingProperty& reading, Row& row);
+    QWidget* makePictures(const Property& property, const PicturesProperty& pictures, Row& row);
+    QWidget* makeEditor(const Property& property, Row& row);
     void addButtons(const PropertySection& section, QVBoxLayout* column);
     void connectSlider(const QString& id, const Row& row);
 
     QString m_pageId;
+    QString m_layout;
     QLabel* m_owner = nullptr;
     std::map<QString, Row> m_rows;
 };

@@ -149,30 +149,31 @@ private:
     RecentFile m_recent;
 };
 
-QPushButton* wideButton(QAction* action, QWidget* parent) {
+QPushButton* wideButton(QAction* action, bool primary, QWidget* parent) {
     auto* button = new QPushButton(parent);
-    button->setProperty("primary", true);
+    button->setProperty("primary", primary);
     button->setMinimumHeight(36);
     button->setText(action->text().remove(u'&'));
-    button->setIcon(tintedIcon(QStringLiteral("open"), Qt::white));
+    button->setIcon(primary ? tintedIcon(action->property("iconName").toString(), Qt::white)
+                            : action->icon());
     button->setToolTip(action->toolTip());
-    button->setObjectName(QStringLiteral("open-a-part"));
+    button->setObjectName(QStringLiteral("start-") + action->objectName());
     QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
     return button;
 }
 
 } // namespace
 
-StartPage::StartPage(QAction* open, const std::vector<SampleCard>& samples, QWidget* parent)
+StartPage::StartPage(QAction* open, QAction* tour, const std::vector<SampleCard>& samples, QWidget* parent)
     : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(40, 32, 20, 0);
     row->setSpacing(40);
-    row->addWidget(makeLeft(open));
+    row->addWidget(makeLeft(open, tour));
     row->addWidget(makeRight(samples), 1);
 }
 
-QWidget* StartPage::makeLeft(QAction* open) {
+QWidget* StartPage::makeLeft(QAction* open, QAction* tour) {
     auto* left = new QWidget(this);
     left->setFixedWidth(leftWidth);
     auto* column = new QVBoxLayout(left);
@@ -186,7 +187,8 @@ QWidget* StartPage::makeLeft(QAction* open) {
     hint->setWordWrap(true);
     column->addWidget(hint);
     column->addSpacing(6);
-    column->addWidget(wideButton(open, left));
+    column->addWidget(wideButton(open, true, left));
+    column->addWidget(wideButton(tour, false, left));
     column->addSpacing(20);
     m_recentHead = new QWidget(left);
     auto* head = new QHBoxLayout(m_recentHead);

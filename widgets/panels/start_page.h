@@ -31,7 +31,8 @@ struct RecentFile {
 class StartPage : public QWidget {
     Q_OBJECT
 public:
-    StartPage(QAction* open, const std::vector<SampleCard>& samples, QWidget* parent = nullptr);
+    StartPage(QAction* open, QAction* tour, const std::vector<SampleCard>& samples,
+              QWidget* parent = nullptr);
 
     void setRecent(const std::vector<RecentFile>& files);
 
@@ -47,7 +48,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    QWidget* makeLeft(QAction* open);
+    QWidget* makeLeft(QAction* open, QAction* tour);
     QWidget* makeRight(const std::vector<SampleCard>& samples);
     void arrangeCards();
 

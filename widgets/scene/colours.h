@@ -38,6 +38,9 @@ struct SceneColours {
     Rgb half1;
     Rgb half2;
     Rgb accent;
+    Rgb pin;
+    Rgb pinLine;
+    Rgb crease;
     Rgb chip;
     Rgb chipEdge;
     Rgb text;

@@ -14,8 +14,6 @@ namespace moldwright::scene {
 
 namespace {
 
-constexpr Rgb white = Rgb::hex(0xFFFFFF);
-
 /// How much of a pixel lies inside, `depth` pixels within the edge.
 double coverage(double depth) {
     return std::clamp(depth + 0.5, 0.0, 1.0);
@@ -43,33 +41,36 @@ GripDisc::GripDisc(vtkRenderer* renderer) {
     renderer->AddViewProp(m_actor);
 }
 
-void GripDisc::show(bool shown, double radius, double rim, Rgb colour) {
+void GripDisc::show(bool shown, const DiscLook& look) {
     m_actor->SetVisibility(shown);
-    if (radius == m_radius && rim == m_rim && colour == m_colour)
+    if (look == m_look)
         return;
-    m_radius = radius;
-    m_rim = rim;
-    m_colour = colour;
+    m_look = look;
     paint();
 }
 
 void GripDisc::paint() {
-    const int half = static_cast<int>(std::ceil(m_radius)) + 1;
+    const int half = static_cast<int>(std::ceil(m_look.radius)) + 1;
     const int side = 2 * half;
     m_image->SetDimensions(side, side, 1);
     m_image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
             const double away = std::hypot(x + 0.5 - half, y + 0.5 - half);
-            const double face = coverage(m_radius - m_rim - away);
-            const auto mixed = [&](std::uint8_t inside, std::uint8_t rim) {
-                return static_cast<unsigned char>(std::lround(face * inside + (1 - face) * rim));
+            // Where face and rim meet, both are laid over one another by their shares.
+            const double inside = coverage(m_look.radius - m_look.rim - away);
+            const double face = inside * m_look.faceOpacity;
+            const double edge = (1 - inside) * coverage(m_look.radius - away);
+            const double whole = face + edge;
+            const auto mixed = [&](std::uint8_t within, std::uint8_t rim) {
+                return static_cast<unsigned char>(
+                    whole > 0 ? std::lround((face * within + edge * rim) / whole) : 0);
             };
             auto* pixel = static_cast<unsigned char*>(m_image->GetScalarPointer(x, y, 0));
-            pixel[0] = mixed(m_colour.r, white.r);
-            pixel[1] = mixed(m_colour.g, white.g);
-            pixel[2] = mixed(m_colour.b, white.b);
-            pixel[3] = static_cast<unsigned char>(std::lround(255 * coverage(m_radius - away)));
+            pixel[0] = mixed(m_look.face.r, m_look.edge.r);
+            pixel[1] = mixed(m_look.face.g, m_look.edge.g);
+            pixel[2] = mixed(m_look.face.b, m_look.edge.b);
+            pixel[3] = static_cast<unsigned char>(std::lround(255 * whole * m_look.opacity));
         }
     m_image->Modified();
     m_corners->Reset();

@@ -14,6 +14,10 @@ namespace {
 
 constexpr double edge = 12; ///< from the view's border, logical pixels
 
+constexpr double smallWidth = 460; ///< a view below is small, logical pixels
+constexpr double smallHeight = 330;
+constexpr int mostMarkTexts = 6;
+
 struct Spot {
     double left;
     double bottom;
@@ -46,19 +50,46 @@ void Overlay::lay(OverlayPanel& panel, const PanelContent& content) {
 void Overlay::setColours(const SceneColours& colours, double scale) {
     m_colours = colours;
     m_scale = scale;
-    lay(m_legend, m_legendContent);
-    lay(m_state, m_stateContent);
-    for (std::size_t i = 0; i < m_chips.size(); ++i)
-        lay(*m_chipPanels[i], m_chips[i].content);
+    layAll();
     setGrips(m_gripPlaces, m_heldGrip);
     showMarks();
+}
+
+void Overlay::layAll() {
+    PanelContent legend = m_legendContent;
+    if (m_small)
+        legend.lines.clear();
+    lay(m_legend, legend);
+    lay(m_state, m_stateContent);
+    for (std::size_t i = 0; i < m_chips.size(); ++i)
+        lay(*m_chipPanels[i], shownContent(m_chips[i]));
+}
+
+PanelContent Overlay::shownContent(const Chip& chip) const {
+    PanelContent content = chip.content;
+    const bool bold =
+        !content.lines.empty() && !content.lines[0].runs.empty() && content.lines[0].runs[0].bold;
+    if (chip.mark && !bold && (m_small || m_crowded))
+        return {};
+    if (m_small && !content.lines.empty()) {
+        content.lines.resize(1);
+        content.lines[0].runs.resize(std::min<std::size_t>(1, content.lines[0].runs.size()));
+    }
+    return content;
+}
+
+void Overlay::setSmall(bool small) {
+    if (small == m_small)
+        return;
+    m_small = small;
+    layAll();
 }
 
 void Overlay::setLegend(const PanelContent& content) {
     if (content == m_legendContent)
         return;
     m_legendContent = content;
-    lay(m_legend, content);
+    layAll();
 }
 
 void Overlay::setState(const PanelContent& content) {
@@ -74,11 +105,17 @@ void Overlay::setChips(const std::vector<Chip>& chips) {
         m_chipPanels.push_back(std::make_unique<OverlayPanel>());
         m_chipPanels.back()->addTo(m_renderer);
     }
+    const bool crowded = std::ranges::count_if(chips, [](const Chip& chip) {
+                             return chip.mark && !chip.content.lines.empty();
+                         }) > mostMarkTexts;
+    const bool anew = crowded != m_crowded;
+    m_crowded = crowded;
     for (std::size_t i = 0; i < m_chipPanels.size(); ++i) {
         if (i >= chips.size())
             m_chipPanels[i]->setVisible(false);
-        else if (i >= m_chips.size() || chips[i].content != m_chips[i].content)
-            lay(*m_chipPanels[i], chips[i].content);
+        else if (anew || i >= m_chips.size() || chips[i].content != m_chips[i].content ||
+                 chips[i].mark != m_chips[i].mark)
+            lay(*m_chipPanels[i], shownContent(chips[i]));
     }
     m_chips = chips;
     showMarks();
@@ -87,7 +124,7 @@ void Overlay::setChips(const std::vector<Chip>& chips) {
 void Overlay::showMarks() {
     for (std::size_t i = 0; i < m_marks.size(); ++i) {
         const std::optional<Rgb> mark = i < m_chips.size() ? m_chips[i].mark : std::nullopt;
-        m_marks[i]->show(mark.has_value(), 8 * m_scale, 2 * m_scale, mark.value_or(m_colours.undercut));
+        m_marks[i]->show(mark.has_value(), {8 * m_scale, 2 * m_scale, mark.value_or(m_colours.undercut)});
     }
 }
 
@@ -106,12 +143,13 @@ void Overlay::setGrips(const std::vector<Eigen::Vector3d>& places, int held) {
         m_grips.push_back(std::make_unique<GripDisc>(m_renderer));
     for (std::size_t i = 0; i < m_grips.size(); ++i) {
         const bool isHeld = static_cast<int>(i) == held;
-        m_grips[i]->show(i < places.size(), (isHeld ? 7.5 : 6) * m_scale, 2 * m_scale,
-                         isHeld ? m_colours.accent : m_colours.plane);
+        m_grips[i]->show(i < places.size(), {(isHeld ? 7.5 : 6) * m_scale, 2 * m_scale,
+                                             isHeld ? m_colours.accent : m_colours.plane});
     }
 }
 
 void Overlay::arrange(const Camera& camera, ViewSize view) {
+    setSmall(view.width < smallWidth * m_scale || view.height < smallHeight * m_scale);
     const double gap = edge * m_scale;
     m_legend.moveTo(gap, gap);
     m_state.moveTo(gap, view.height - gap - m_state.height());
@@ -123,6 +161,9 @@ void Overlay::arrange(const Camera& camera, ViewSize view) {
     for (std::size_t i = 0; i < m_chips.size(); ++i) {
         OverlayPanel& panel = *m_chipPanels[i];
         const Eigen::Vector3d pixel = camera.project(m_chips[i].place, view);
+        m_marks[i]->moveTo(pixel.x(), view.height - pixel.y());
+        if (!panel.visible())
+            continue;
         // Away from the middle, so that the arrow it belongs to stays free.
         const bool leftwards = pixel.x() < view.width / 2;
         Spot spot{leftwards ? pixel.x() - 14 * m_scale - panel.width() : pixel.x() + 14 * m_scale,
@@ -140,7 +181,6 @@ void Overlay::arrange(const Camera& camera, ViewSize view) {
         }
         taken.push_back(spot);
         panel.moveTo(spot.left, spot.bottom);
-        m_marks[i]->moveTo(pixel.x(), view.height - pixel.y());
     }
     for (std::size_t i = 0; i < m_gripPlaces.size(); ++i) {
         const Eigen::Vector3d pixel = camera.project(m_gripPlaces[i], view);

@@ -25,7 +25,8 @@ struct Chip {
 };
 
 /// What is drawn flat over the scene: legend bottom left, state chip top left, chips at their places (which
-/// give way to each other), and the grips.
+/// give way to each other), and the grips. In a small view the legend keeps its title and a chip its first
+/// word; of many marked chips only the bold ones keep their text.
 class Overlay {
 public:
     Overlay();
@@ -49,10 +50,15 @@ public:
 private:
     void showMarks();
     void lay(OverlayPanel& panel, const PanelContent& content);
+    void layAll();
+    [[nodiscard]] PanelContent shownContent(const Chip& chip) const;
+    void setSmall(bool small);
 
     vtkRenderer* m_renderer = nullptr;
     SceneColours m_colours;
     double m_scale = 1;
+    bool m_small = false;   ///< the view is
+    bool m_crowded = false; ///< more marks than can have their text
     OverlayPanel m_legend;
     OverlayPanel m_state;
     PanelContent m_legendContent;

@@ -54,6 +54,7 @@ public:
     void setContent(const PanelContent& content, const SceneColours& colours, double scale);
     void moveTo(double left, double bottom);
     void setVisible(bool visible);
+    [[nodiscard]] bool visible() const { return m_visible; }
 
     [[nodiscard]] double width() const { return m_width; }
     [[nodiscard]] double height() const { return m_height; }

@@ -54,10 +54,16 @@ Scene::Scene()
     m_front->PreserveDepthBufferOn();
     m_front->SetActiveCamera(m_back->GetActiveCamera());
     setSmoothEdges(true);
-    for (vtkActor* actor :
-         {m_plane.sheet(), m_plane.outline(), m_plane.partingLine(), m_arrow1.actor(), m_arrow2.actor()})
+    for (vtkActor* actor : {m_plane.sheet(), m_plane.outline(), m_plane.crease(), m_plane.partingLine(),
+                            m_arrow1.actor(), m_arrow2.actor()})
         m_front->AddActor(actor);
+    for (const ConeLayer& cone : m_cones) {
+        m_front->AddActor(cone.collar());
+        m_front->AddActor(cone.rim());
+    }
+    m_front->AddActor(m_filling.actor());
     m_front->AddViewProp(m_path.actor());
+    m_pins.addTo(m_front);
     m_overlay.addTo(m_front);
     addLights(m_back);
     addLights(m_front);
@@ -87,9 +93,14 @@ void Scene::setLook(const SceneColours& colours, double scale) {
         m_sections[i].setLook(darker(solids[i]), colours.partingLine, 1.4 * scale);
     m_arrow1.setColour(colours.side1);
     m_arrow2.setColour(colours.side2);
+    m_cones[0].setLook(colours.side1, scale);
+    m_cones[1].setLook(colours.side2, scale);
     m_path.setLook(colours.accent, 1.8 * scale);
+    m_pins.setLook(colours, scale);
+    m_filling.setColour(colours.accent);
     m_cube.setLook(colours, m_words, scale);
     m_overlay.setColours(colours, scale);
+    placePartingLine(); // its band has the theme's colour
 }
 
 void Scene::setCubeWords(const CubeWords& words) {
@@ -174,7 +185,7 @@ void Scene::placePartingLine() {
     if (!mesh || !m_state)
         m_plane.clearPartingLine();
     else
-        m_plane.setPartingLine(m_surface.standsIn() ? *mesh->standIn->mesh : *mesh->mesh, m_state->plane);
+        m_plane.setPartingLine(m_surface.standsIn() ? *mesh->standIn->mesh : *mesh->mesh, *m_state);
 }
 
 void Scene::placeArrows() {
@@ -185,7 +196,8 @@ void Scene::placeArrows() {
         const Eigen::Vector3d& d = m_state->directions.of(side);
         // Just outside the part, however it lies.
         const double reach = mesh ? (mesh->bounds() * d).maxCoeff() - middle.dot(d) : 0;
-        const Eigen::Vector3d tail = middle + (reach + arrowGap * size) * d;
+        m_reach[side - 1] = reach + arrowGap * size;
+        const Eigen::Vector3d tail = middle + m_reach[side - 1] * d;
         (side == 1 ? m_arrow1 : m_arrow2).set(tail, d, arrowShare * size);
         m_arrowTips[side - 1] = tail + arrowShare * size * d;
     }
@@ -198,10 +210,34 @@ void Scene::updateVisibility() {
     m_sections[0].setVisible(m_surfaceVisible);
     m_plane.sheet()->SetVisibility(plane);
     m_plane.outline()->SetVisibility(plane);
+    m_plane.crease()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);
     m_plane.partingLine()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);
     m_arrow1.actor()->SetVisibility(arrows);
     m_arrow2.actor()->SetVisibility(arrows);
     showGrips();
+    showCones();
+}
+
+void Scene::setDirectionLimits(const DirectionLimits& limits, bool shown) {
+    m_limits = limits;
+    m_conesShown = shown;
+    showCones();
+}
+
+void Scene::showCones() {
+    for (const int side : {1, 2}) {
+        const bool held = m_heldGrip == (side == 1 ? Grip::Direction1 : Grip::Direction2);
+        const bool wanted =
+            m_state && m_directionsVisible && m_gripsShown && m_surface.mesh() && (m_conesShown || held);
+        const auto cap = wanted ? capWithin(m_limits, m_state->plane.normal, side) : std::nullopt;
+        const bool shown = cap && cap->radiusDegrees > 0;
+        const std::size_t i = side - 1;
+        m_cones[i].collar()->SetVisibility(shown);
+        m_cones[i].rim()->SetVisibility(shown);
+        if (shown)
+            m_cones[i].set(*cap, middle(), m_reach[i],
+                           m_reach[i] + arrowShare * m_surface.mesh()->box.sizes().norm());
+    }
 }
 
 std::vector<GripPlace> Scene::grips() const {
@@ -301,6 +337,7 @@ void Scene::arrange(const Camera& camera, ViewSize view) {
         m_back->ResetCameraClippingRange(bounds.data());
     }
     m_cube.arrange(camera, view);
+    m_pins.arrange(camera, view);
     m_overlay.arrange(camera, view);
 }
 

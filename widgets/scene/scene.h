@@ -5,14 +5,17 @@
 #include "scene/arrow_layer.h"
 #include "scene/camera.h"
 #include "scene/colours.h"
+#include "scene/cone_layer.h"
 #include "scene/cut_layer.h"
 #include "scene/drawn_mesh.h"
+#include "scene/filling_layer.h"
 #include "scene/grips.h"
 #include "scene/half_layer.h"
 #include "scene/mesh_layer.h"
 #include "scene/orientation_cube.h"
 #include "scene/overlay.h"
 #include "scene/path_layer.h"
+#include "scene/pin_layer.h"
 #include "scene/plane_handle.h"
 #include "scene/plane_layer.h"
 
@@ -62,6 +65,11 @@ public:
     void setState(const std::optional<MoldState>& state);
     void setPlaneVisible(bool visible);
     void setDirectionsVisible(bool visible);
+    /// Where directions may point; shown as a cone about each arrow while `shown`, else about one that is
+    /// held.
+    void setDirectionLimits(const DirectionLimits& limits, bool shown);
+    [[nodiscard]] const DirectionLimits& directionLimits() const { return m_limits; }
+    [[nodiscard]] const SharpestCrease& sharpestCrease() const { return m_plane.sharpestCrease(); }
     /// Grips of what is visible, to be taken hold of; `held` is the one under the pointer.
     void setGrips(bool shown, std::optional<Grip> held);
     [[nodiscard]] std::vector<GripPlace> grips() const;
@@ -85,6 +93,11 @@ public:
     void setStateChip(const PanelContent& content) { m_overlay.setState(content); }
     /// Lines from place to place, as measured.
     void setPath(const std::vector<Eigen::Vector3d>& places) { m_path.set(places); }
+    /// Walls that filling would make, drawn as glass; null for none.
+    void setFilling(const SharedMesh& walls) { m_filling.set(walls); }
+    [[nodiscard]] const SharedMesh& filling() const { return m_filling.walls(); }
+    void setPins(const ShownPins& pins) { m_pins.set(pins); }
+    [[nodiscard]] const PinLayer& pins() const { return m_pins; }
     void setChips(const std::vector<Chip>& chips) { m_overlay.setChips(chips); }
     [[nodiscard]] const Overlay& overlay() const { return m_overlay; }
 
@@ -116,6 +129,7 @@ private:
     void placePlane();
     void placePartingLine();
     void placeArrows();
+    void showCones();
     void placeSections();
     void updateVisibility();
     void showGrips();
@@ -136,8 +150,14 @@ private:
     PlaneRectangle m_rectangle;
     ArrowLayer m_arrow1;
     ArrowLayer m_arrow2;
+    std::array<ConeLayer, 2> m_cones;
+    std::array<double, 2> m_reach{}; ///< from the middle to where each arrow begins, mm
+    DirectionLimits m_limits;
+    bool m_conesShown = false;
     std::array<Eigen::Vector3d, 2> m_arrowTips{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     PathLayer m_path;
+    PinLayer m_pins;
+    FillingLayer m_filling;
     OrientationCube m_cube;
     Overlay m_overlay;
     std::optional<MoldState> m_state;

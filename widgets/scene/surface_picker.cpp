@@ -83,6 +83,13 @@ std::optional<SurfacePicker::Hit> SurfacePicker::pick(const Ray& ray,
     return hit;
 }
 
+std::optional<Eigen::Vector3d> SurfacePicker::middleBelow(const Hit& hit, const Ray& ray) const {
+    const std::optional<Hit> out = firstFrom({hit.point, ray.direction}, 1e-6 * m_locator->reach);
+    if (!out)
+        return std::nullopt;
+    return (hit.point + out->point) / 2;
+}
+
 std::optional<double> SurfacePicker::thickness(const Hit& hit) const {
     const Eigen::Vector3d inwards = -doubleAreaVector(*m_mesh, hit.face).normalized();
     const std::optional<Hit> across = firstFrom({hit.point, inwards}, 1e-6 * m_locator->reach);

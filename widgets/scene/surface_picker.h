@@ -28,6 +28,10 @@ public:
     [[nodiscard]] std::optional<Hit> pick(const Ray& ray,
                                           const std::optional<PartingPlane>& cut = std::nullopt) const;
 
+    /// The middle between a hit of the ray and where the ray leaves the solid again: of the points under the
+    /// pointer the one farthest inside. None where it does not leave.
+    [[nodiscard]] std::optional<Eigen::Vector3d> middleBelow(const Hit& hit, const Ray& ray) const;
+
     /// How thick the solid is below a hit on a face, square to the face, mm.
     [[nodiscard]] std::optional<double> thickness(const Hit& hit) const;
 

@@ -137,19 +137,29 @@ void PartView::setPerspective(bool perspective) {
     setCamera(camera);
 }
 
+scene::Camera PartView::fittedTo(const scene::Camera& camera, std::span<const Eigen::Vector3d> points) const {
+    // Discs at the outermost points have a size in pixels: a frame of theirs stays free.
+    const scene::ViewSize view = viewSize();
+    const double frame = std::min(gripReach * devicePixelRatioF(), std::min(view.width, view.height) / 8);
+    const scene::ViewSize within{view.width - 2 * frame, view.height - 2 * frame};
+    scene::Camera fit = scene::fitted(camera, points, within);
+    fit.distance *= view.height / within.height;
+    return fit;
+}
+
 void PartView::fitAll(bool atOnce) {
     // A turn that is under way goes on to its end.
     const bool turning = m_ease.state() == QAbstractAnimation::Running;
-    const scene::Camera fit = scene::fitted(turning ? m_easeTo : m_camera, m_scene.outline(), viewSize());
+    const scene::Camera fit = fittedTo(turning ? m_easeTo : m_camera, m_scene.outline());
     atOnce ? setCamera(fit) : easeTo(fit);
 }
 
 void PartView::frame(const Eigen::AlignedBox3d& box) {
-    easeTo(scene::fitted(m_camera, box, viewSize()));
+    easeTo(fittedTo(m_camera, scene::cornersOf(box)));
 }
 
 void PartView::lookFrom(const Eigen::Vector3d& direction) {
-    easeTo(scene::fitted(scene::lookingFrom(m_camera, direction), m_scene.outline(), viewSize()));
+    easeTo(fittedTo(scene::lookingFrom(m_camera, direction), m_scene.outline()));
 }
 
 void PartView::lookHome(bool atOnce) {
@@ -241,7 +251,8 @@ void PartView::takeHold(scene::Grip grip, const Eigen::Vector2d& at) {
     if (grip == scene::Grip::Direction1 || grip == scene::Grip::Direction2) {
         const int side = grip == scene::Grip::Direction1 ? 1 : 2;
         m_drag = scene::DirectionDrag{
-            *m_scene.state(), side, m_scene.middle(), m_scene.arrowTip(side), m_limits, at.x(), at.y()};
+            *m_scene.state(), side,  m_scene.middle(), m_scene.arrowTip(side), m_scene.directionLimits(),
+            at.x(),           at.y()};
     } else {
         m_drag = scene::PlaneDrag{*m_scene.state(), m_scene.rectangle(), grip, at.x(), at.y()};
     }
@@ -316,26 +327,47 @@ void PartView::mouseReleaseEvent(QMouseEvent* event) {
         if (m_dragged)
             Q_EMIT dragCommitted(state, *m_hovered);
     } else if (event->button() == Qt::LeftButton && !m_dragged) {
-        clicked(at);
+        clicked(at, event->modifiers());
     } else if (event->button() == Qt::RightButton && !m_dragged) {
         Q_EMIT menuRequested(event->globalPosition().toPoint());
     }
     event->accept();
 }
 
-void PartView::clicked(const Eigen::Vector2d& at) {
-    if (m_picking == Picking::Nothing) {
-        const int chip =
-            m_scene.overlay().markAt(m_camera, viewSize(), at.x(), at.y(), gripReach * devicePixelRatioF());
-        if (chip >= 0)
-            Q_EMIT markClicked(chip);
+void PartView::clicked(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys) {
+    const bool pinning = m_picking == Picking::Pin || m_picking == Picking::PinInside;
+    if ((pinning || m_picking == Picking::Nothing) && clickedMark(at))
+        return;
+    if (pinning) {
+        placePin(at, (m_picking == Picking::PinInside) != keys.testFlag(Qt::ShiftModifier));
         return;
     }
-    const auto hit = hitAt(at);
+    const auto hit = m_picking == Picking::Nothing ? std::nullopt : hitAt(at);
     if (hit && m_picking == Picking::Place)
         Q_EMIT pointClicked(*hit);
     else if (hit && hit->face >= 0)
         Q_EMIT faceClicked(hit->face);
+}
+
+bool PartView::clickedMark(const Eigen::Vector2d& at) {
+    const double reach = gripReach * devicePixelRatioF();
+    if (const auto pin = m_scene.pins().at(m_camera, viewSize(), at.x(), at.y(), reach)) {
+        Q_EMIT pinClicked(*pin);
+        return true;
+    }
+    const int chip = m_scene.overlay().markAt(m_camera, viewSize(), at.x(), at.y(), reach);
+    if (chip >= 0)
+        Q_EMIT markClicked(chip);
+    return chip >= 0;
+}
+
+void PartView::placePin(const Eigen::Vector2d& at, bool inside) {
+    const auto hit = hitAt(at);
+    if (!hit)
+        return;
+    const auto middle =
+        inside ? m_picker->middleBelow(*hit, m_camera.rayAt(at.x(), at.y(), viewSize())) : std::nullopt;
+    Q_EMIT pinPlaced(middle.value_or(hit->point));
 }
 
 bool PartView::cancelDrag() {

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 
 namespace moldwright {
@@ -38,11 +39,9 @@ public:
 
     /// Whether grips of plane and directions are shown and can be dragged.
     void setEditable(bool editable);
-    /// Where a direction may be dragged to.
-    void setDirectionLimits(const DirectionLimits& limits) { m_limits = limits; }
-
-    /// What a click on the surface means, under a crossing pointer: faceClicked() or pointClicked().
-    enum class Picking { Nothing, Face, Place };
+    /// What a click on the surface means, under a crossing pointer: faceClicked(), pointClicked(), or
+    /// pinPlaced() on the surface or inside (Shift: the other way).
+    enum class Picking { Nothing, Face, Place, Pin, PinInside };
     void setPicking(Picking picking);
     [[nodiscard]] Picking picking() const { return m_picking; }
 
@@ -79,6 +78,10 @@ Q_SIGNALS:
     /// over none.
     void pointClicked(const moldwright::scene::SurfacePicker::Hit& hit);
     void pointHovered(const std::optional<moldwright::scene::SurfacePicker::Hit>& hit);
+    /// A place for a pin was clicked, mm: on the surface, or as far inside as can be under the pointer.
+    void pinPlaced(const Eigen::Vector3d& place);
+    /// A pin of the scene was clicked.
+    void pinClicked(const moldwright::scene::PinAt& pin);
     /// The mark of a chip was clicked.
     void markClicked(int chip);
     void menuRequested(const QPoint& globalPlace);
@@ -99,12 +102,17 @@ protected:
 
 private:
     [[nodiscard]] scene::ViewSize viewSize() const;
+    /// The camera moved so that all these points, and grips at them, are in sight.
+    [[nodiscard]] scene::Camera fittedTo(const scene::Camera& camera,
+                                         std::span<const Eigen::Vector3d> points) const;
     [[nodiscard]] Eigen::Vector2d pixel(const QPointF& place) const;
     [[nodiscard]] std::optional<scene::SurfacePicker::Hit> hitAt(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] Eigen::Vector3d pivotAt(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] std::optional<scene::Grip> gripUnder(const Eigen::Vector2d& pixel) const;
     void leftPressed(const Eigen::Vector2d& at);
-    void clicked(const Eigen::Vector2d& at);
+    void clicked(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys);
+    [[nodiscard]] bool clickedMark(const Eigen::Vector2d& at);
+    void placePin(const Eigen::Vector2d& at, bool inside);
     void moveCamera(scene::Motion motion, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
     void takeHold(scene::Grip grip, const Eigen::Vector2d& at);
     [[nodiscard]] MoldState dragged(const Eigen::Vector2d& to, bool coarse) const;
@@ -131,7 +139,6 @@ private:
     scene::Camera m_easeFrom;
     scene::Camera m_easeTo;
     bool m_editable = false;
-    DirectionLimits m_limits;
     Picking m_picking = Picking::Nothing;
     std::optional<std::variant<scene::PlaneDrag, scene::DirectionDrag>> m_drag;
     std::optional<scene::Grip> m_hovered; ///< the grip under the pointer, or held

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "cli/guide_files.h"
+#include "project/guide_files.h"
 
-#include "cli/json.h"
 #include "mesh/closest_point.h"
 #include "mesh/measures.h"
 #include "pins/cgal/inside_test.h"
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
 
-namespace moldwright::cli {
+namespace moldwright {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr double kOnSurface = 1e-3;   ///< diagonals that a pin may lie outside: written by hand, or rounded
 constexpr double kMostWeight = 65536; ///< 2^16: more makes the elastic energy's matrix useless
@@ -28,16 +31,16 @@ Result<Json> readList(const std::filesystem::path& file, const std::string& key)
     std::ostringstream bytes;
     bytes << in.rdbuf();
     if (!in)
-        return refused(MW_TEXT("cli", "{0} could not be read."), {file.string()});
+        return refused(MW_TEXT("Guides", "{0} could not be read."), {file.string()});
     Json json;
     try {
         json = Json::parse(bytes.str());
     } catch (const Json::parse_error& error) {
-        return refused(MW_TEXT("cli", "{0} is not JSON: it goes wrong at byte {1}."),
+        return refused(MW_TEXT("Guides", "{0} is not JSON: it goes wrong at byte {1}."),
                        {file.string(), std::to_string(error.byte)});
     }
     if (!json.is_object() || !json.contains(key) || !json[key].is_array())
-        return refused(MW_TEXT("cli", "{0} has no list \"{1}\"."), {file.string(), key});
+        return refused(MW_TEXT("Guides", "{0} has no list \"{1}\"."), {file.string(), key});
     return std::move(json[key]);
 }
 
@@ -88,15 +91,15 @@ Result<std::vector<int>> facesOf(const Json& entry, const IndexedMesh& part,
             entry["faces"].is_array() ? facesListed(entry["faces"], part) : std::optional<std::vector<int>>();
         if (!faces)
             return refused(
-                MW_TEXT("cli", "{0}: the \"faces\" of region {1} have to be numbers from 0 to {2}."),
+                MW_TEXT("Guides", "{0}: the \"faces\" of region {1} have to be numbers from 0 to {2}."),
                 {which[0], which[1], std::to_string(part.faceCount() - 1)});
         return *faces;
     }
     const std::optional<Eigen::Vector3d> centre = pointUnder(entry, "centre");
     const std::optional<double> radius = numberUnder(entry, "radius");
     if (!centre || !radius || !(*radius > 0))
-        return refused(MW_TEXT("cli", "{0}: region {1} needs a \"centre\" of three numbers and a positive "
-                                      "\"radius\", or a list of \"faces\"."),
+        return refused(MW_TEXT("Guides", "{0}: region {1} needs a \"centre\" of three numbers and a positive "
+                                         "\"radius\", or a list of \"faces\"."),
                        which);
     return facesInBall(part, *centre, *radius);
 }
@@ -108,14 +111,14 @@ Result<KeptRegion> regionOf(const Json& entry, const IndexedMesh& part,
     if (!faces)
         return std::unexpected(faces.error());
     if (faces->empty())
-        return refused(MW_TEXT("cli", "{0}: region {1} has no face of the part in it."), which);
+        return refused(MW_TEXT("Guides", "{0}: region {1} has no face of the part in it."), which);
     KeptRegion region{which[1], std::move(*faces), 0};
     if (entry.contains("name") && entry["name"].is_string())
         region.name = entry["name"].get<std::string>();
     if (entry.contains("keep_within")) {
         const std::optional<double> within = numberUnder(entry, "keep_within");
         if (!within || !(*within > 0))
-            return refused(MW_TEXT("cli",
+            return refused(MW_TEXT("Guides",
                                    "{0}: the \"keep_within\" of region {1} has to be a positive number "
                                    "of millimetres."),
                            which);
@@ -137,16 +140,24 @@ Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const Index
         const std::string which = std::to_string(pins.size() + 1);
         const std::optional<Eigen::Vector3d> point = pointUnder(entry, "point");
         if (!point)
-            return refused(MW_TEXT("cli", "{0}: pin {1} needs a \"point\" of three numbers."),
+            return refused(MW_TEXT("Guides", "{0}: pin {1} needs a \"point\" of three numbers."),
                            {file.string(), which});
         const double outside = solid.inside(*point) ? 0 : surface.distance(*point);
         if (outside > kOnSurface * diagonal(part))
-            return refused(MW_TEXT("cli", "{0}: pin {1} lies {2} mm outside the part. Pins are in the part's "
-                                          "millimetres, after --units, --scale or --size."),
+            return refused(MW_TEXT("Guides",
+                                   "{0}: pin {1} lies {2} mm outside the part. Pins are in the part's "
+                                   "millimetres, after --units, --scale or --size."),
                            {file.string(), which, readable(outside, 3)});
         pins.push_back({*point});
     }
     return pins;
+}
+
+std::string pinsText(const std::vector<Pin>& pins) {
+    Json list = Json::array();
+    for (const Pin& pin : pins)
+        list.push_back({{"point", {pin.point.x(), pin.point.y(), pin.point.z()}}});
+    return Json{{"pins", std::move(list)}}.dump(1) + '\n';
 }
 
 Result<Importance> readWeights(const std::filesystem::path& file, const IndexedMesh& part) {
@@ -159,8 +170,8 @@ Result<Importance> readWeights(const std::filesystem::path& file, const IndexedM
         const std::vector<std::string> which = {file.string(), std::to_string(importance.regions.size() + 1)};
         const std::optional<double> weight = numberUnder(entry, "weight");
         if (!weight || !(*weight >= 1) || *weight > kMostWeight)
-            return refused(MW_TEXT("cli", "{0}: region {1} needs a \"weight\" from 1 (like the rest) to "
-                                          "65536."),
+            return refused(MW_TEXT("Guides", "{0}: region {1} needs a \"weight\" from 1 (like the rest) to "
+                                             "65536."),
                            which);
         Result<KeptRegion> region = regionOf(entry, part, which);
         if (!region)
@@ -174,4 +185,4 @@ Result<Importance> readWeights(const std::filesystem::path& file, const IndexedM
     return importance;
 }
 
-} // namespace moldwright::cli
+} // namespace moldwright

@@ -5,14 +5,18 @@
 #include "design/design.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
-namespace moldwright::cli {
+namespace moldwright {
 
 /// The pins of a JSON file, {"pins": [{"point": [x, y, z]}, …]}, in mm in the part's frame; what else a pin
 /// carries (`pins` writes radius, kind, rank) is not read. A pin must lie in the part or on it. Errors:
 /// BadInput, naming the file, the entry and what is wrong.
 [[nodiscard]] Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const IndexedMesh& part);
+
+/// The text of such a file.
+[[nodiscard]] std::string pinsText(const std::vector<Pin>& pins);
 
 /// What is important of a part.
 struct Importance {
@@ -27,4 +31,4 @@ struct Importance {
 /// the entry and what is wrong; a region without a face too.
 [[nodiscard]] Result<Importance> readWeights(const std::filesystem::path& file, const IndexedMesh& part);
 
-} // namespace moldwright::cli
+} // namespace moldwright

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "castability/mold_state.h"
+#include "mesh/indexed_mesh.h"
+#include "pins/suggested_pins.h"
+
+#include <QObject>
+#include <QThread>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace moldwright {
+
+/// Suggested pins of a part, to be ranked at a plane.
+struct RankRequest {
+    std::shared_ptr<const PinSuggestions> pins;
+    SharedMesh part;
+    MoldState state;
+    double draftDegrees = 1;
+
+    bool operator==(const RankRequest&) const = default;
+};
+
+/// Ranks suggested pins anew as the plane moves, on a thread of its own. Only the newest request waits.
+class LiveRanks : public QObject {
+    Q_OBJECT
+public:
+    explicit LiveRanks(QObject* parent = nullptr);
+    ~LiveRanks() override;
+
+    void ask(const RankRequest& request);
+
+Q_SIGNALS:
+    /// The pins of `request` with the ranks they have there.
+    void answered(const moldwright::RankRequest& request,
+                  const std::shared_ptr<const moldwright::PinSuggestions>& ranked);
+
+private:
+    void work();
+
+    QThread m_thread;
+    QObject m_place; ///< lives on the thread
+    std::mutex m_mutex;
+    std::optional<RankRequest> m_waiting;
+};
+
+} // namespace moldwright

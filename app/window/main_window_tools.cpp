@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Tools: what a click on the part does. One is in hand at a time; Esc puts it away.
+#include "window/main_window.h"
+
+#include "castability/plane_snaps.h"
+#include "mesh/measures.h"
+#include "project/edits.h"
+#include "scene/plane_handle.h"
+#include "view/part_view.h"
+#include "window/measure_tool.h"
+#include "window/pin_pages.h"
+#include "window/view_area.h"
+#include "window/view_pane.h"
+#include "window/workbench.h"
+
+#include <array>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct ToolSpec {
+    Tool tool;
+    QString command;
+    PartView::Picking picking;
+    bool onPart = false; ///< works on the part as opened: its cast goes, as after any edit of the part
+};
+
+const std::vector<ToolSpec>& toolTable() {
+    static const std::vector<ToolSpec> table = {
+        {Tool::Measure, u"measure"_s, PartView::Picking::Place},
+        {Tool::LayFlat, u"lay-flat"_s, PartView::Picking::Face, true},
+        {Tool::Pin, u"pin"_s, PartView::Picking::Pin, true},
+        {Tool::PinInside, u"pin-inside"_s, PartView::Picking::PinInside, true},
+        {Tool::PlaneOnFace, u"plane-on-face"_s, PartView::Picking::Face},
+        {Tool::PlaneByPoints, u"plane-by-points"_s, PartView::Picking::Place},
+    };
+    return table;
+}
+
+} // namespace
+
+void MainWindow::connectToolActions() {
+    for (const ToolSpec& spec : toolTable())
+        m_actions.on(spec.command, [this, tool = spec.tool, command = spec.command] {
+            useTool(m_actions[command]->isChecked() ? tool : Tool::None);
+        });
+    const std::array axes = {u"plane-x"_s, u"plane-y"_s, u"plane-z"_s};
+    for (int axis = 0; axis < 3; ++axis)
+        m_actions.on(axes[static_cast<std::size_t>(axis)], [this, axis] {
+            const PartingPlane& plane = m_bench.project().state->plane;
+            const Eigen::Vector3d middle = m_bench.figures(m_bench.project().part).box.center();
+            snapPlane(
+                squareTo(Eigen::Vector3d::Unit(axis), middle - plane.distance(middle) * plane.normal, plane));
+        });
+}
+
+void MainWindow::useTool(Tool tool) {
+    m_tool = tool;
+    m_planePoints.clear();
+    m_measure->setActive(tool == Tool::Measure);
+    auto picking = PartView::Picking::Nothing;
+    for (const ToolSpec& spec : toolTable()) {
+        m_actions[spec.command]->setChecked(spec.tool == tool);
+        if (spec.tool != tool)
+            continue;
+        picking = spec.picking;
+        if (spec.onPart && m_bench.castShown())
+            m_bench.restoreShape();
+    }
+    for (const ViewPane* pane : m_views->made())
+        pane->view().setPicking(picking);
+    if (tool == Tool::Pin || tool == Tool::PinInside)
+        select(u"pins"_s);
+    if (tool != Tool::None)
+        m_view->setFocus();
+    refreshSoon();
+}
+
+QString MainWindow::toolHint() const {
+    switch (m_tool) {
+    case Tool::None:
+        break;
+    case Tool::Measure:
+        return tr("<b>Click</b> a place, a second for the distance, a third for the angle. "
+                  "<b>Ctrl+C</b> copies, <b>Esc</b> leaves.");
+    case Tool::LayFlat:
+        return tr("<b>Click</b> the face that shall lie on the ground. <b>Esc</b> leaves.");
+    case Tool::Pin:
+        return tr("<b>Click</b> a point of the surface to pin it, with <b>Shift</b> the point inside below "
+                  "it. <b>Esc</b> leaves.");
+    case Tool::PinInside:
+        return tr("<b>Click</b> to pin the point inside below the pointer, with <b>Shift</b> the one on the "
+                  "surface. <b>Esc</b> leaves.");
+    case Tool::PlaneOnFace:
+        return tr("<b>Click</b> the face that the parting plane shall lie in. <b>Esc</b> leaves.");
+    case Tool::PlaneByPoints:
+        return tr("<b>Click</b> point %1 of 3 that the parting plane shall run through. <b>Esc</b> leaves.")
+            .arg(m_planePoints.size() + 1);
+    }
+    return {};
+}
+
+void MainWindow::serveTools(ViewPane& pane) {
+    const PartView* view = &pane.view();
+    connect(view, &PartView::faceClicked, this, [this, &pane](int face) {
+        if (m_bench.background().busy())
+            return;
+        if (m_tool == Tool::LayFlat)
+            m_bench.layFlatOn(face);
+        else if (const scene::SharedDrawnMesh& drawn = m_bench.surface(pane.settings().content).drawn)
+            if (const auto plane = planeOfFace(*drawn->mesh, face, m_bench.project().state->plane))
+                snapPlane(*plane);
+        useTool(Tool::None);
+    });
+    connect(view, &PartView::pointClicked, this, [this](const scene::SurfacePicker::Hit& hit) {
+        if (m_tool == Tool::PlaneByPoints && !m_bench.background().busy())
+            takePlanePoint(hit.point);
+    });
+    connect(view, &PartView::pinPlaced, this, [this](const Eigen::Vector3d& place) {
+        if (m_bench.background().busy())
+            return;
+        m_bench.addPin(place);
+        select(pinId(static_cast<int>(m_bench.project().pins.size()) - 1));
+    });
+    connect(view, &PartView::pinClicked, this, [this](const scene::PinAt& pin) {
+        if (!pin.suggested)
+            select(pinId(pin.number));
+        else if (!m_bench.background().busy())
+            m_bench.acceptSuggestion(pin.number);
+    });
+}
+
+void MainWindow::takePlanePoint(const Eigen::Vector3d& point) {
+    m_planePoints.push_back(point);
+    if (m_planePoints.size() < 3) {
+        refreshSoon();
+        return;
+    }
+    const auto plane =
+        planeThrough({m_planePoints[0], m_planePoints[1], m_planePoints[2]}, m_bench.project().state->plane);
+    if (plane) {
+        snapPlane(*plane);
+        useTool(Tool::None);
+        return;
+    }
+    m_planePoints.clear();
+    m_bench.say(Standing::Warning,
+                tr("These points lie on a line, so they give no plane. Click three others."));
+    refreshSoon();
+}
+
+void MainWindow::snapPlane(const PartingPlane& plane) {
+    m_bench.setState(scene::withPlane(*m_bench.project().state, plane), tr("Snap the plane"));
+    select(u"plane"_s);
+}
+
+void MainWindow::connectPinActions() {
+    m_actions.on(u"suggest-pins"_s, [this] { m_bench.suggestPins(); });
+    m_actions.on(u"accept-tips"_s, [this] { m_bench.acceptTips(); });
+    m_actions.on(u"remove-pin"_s, [this] {
+        m_bench.removePin(pinNumber(m_selected));
+        select(u"pins"_s);
+    });
+    m_actions.on(u"clear-pins"_s, [this] { m_bench.clearPins(); });
+    m_actions.on(u"import-pins"_s, [this] { choosePinsToImport(); });
+    m_actions.on(u"export-pins"_s, [this] { choosePinsToExport(); });
+}
+
+} // namespace moldwright

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/pin_pages.h"
+
+#include "project/edits.h"
+#include "theme/theme.h"
+#include "window/action_table.h"
+#include "window/presentation.h"
+#include "window/workbench.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(PinPages)
+};
+
+const QString allId = u"pins"_s;
+const QString suggestedId = u"suggested-pins"_s;
+const QString placePrefix = u"pin-place-"_s; ///< then the axis
+const std::array axes = {u"x"_s, u"y"_s, u"z"_s};
+
+QString nameOf(int number) {
+    return Words::tr("Pin %1").arg(number + 1);
+}
+
+std::optional<double> wayToPlane(const Workbench& bench, int number) {
+    const Project& project = bench.project();
+    if (!project.state)
+        return std::nullopt;
+    return std::abs(project.state->plane.distance(project.pins[static_cast<std::size_t>(number)].point));
+}
+
+QString wayText(const Workbench& bench, int number) {
+    const std::optional<double> way = wayToPlane(bench, number);
+    return way ? u"%1 mm"_s.arg(*way, 0, 'f', 1) : u"–"_s;
+}
+
+bool isPin(const Workbench& bench, int number) {
+    return number >= 0 && number < static_cast<int>(bench.project().pins.size());
+}
+
+PropertySection suggestedSection(const Workbench& bench, const Actions& actions) {
+    PropertySection section{Words::tr("Suggested"), {}, {}, false};
+    if (!bench.suggestionsKnown()) {
+        section.notes = {Words::tr("Ends of limbs, where limbs meet, and points along the body.")};
+        section.buttons = {actions[u"suggest-pins"_s]};
+        return section;
+    }
+    section.rows = {Property{u"pin-count"_s, Words::tr("Shown at most"),
+                             Words::tr("The best ones at this plane; those taken are no longer shown."),
+                             NumberProperty{{},
+                                            static_cast<double>(Workbench::fewestSuggestedPins),
+                                            static_cast<double>(Workbench::mostSuggestedPins),
+                                            1,
+                                            0,
+                                            true}},
+                    Property{u"pin-tips"_s, Words::tr("Ends of limbs"), {}, ReadingProperty{}}};
+    section.notes = {Words::tr("Click a faint ring in the view to take it.")};
+    section.buttons = {actions[u"accept-tips"_s]};
+    return section;
+}
+
+PropertyPage allPage(const Workbench& bench, const Actions& actions) {
+    PropertyPage page{allId,
+                      u"guides"_s,
+                      Words::tr("Pins"),
+                      Words::tr("Hold points of the part on the parting plane."),
+                      {}};
+    page.layout = u"%1%2"_s.arg(bench.suggestionsKnown()).arg(bench.project().pins.empty());
+    PropertySection set{Words::tr("Set by hand"), {}, {actions[u"pin"_s], actions[u"pin-inside"_s]}, true};
+    if (bench.project().pins.empty())
+        set.notes = {Words::tr("No pins yet. Where limbs curl, pins at their ends unroll them.")};
+    else
+        set.rows = {Property{u"pin-number"_s, Words::tr("Pins"), {}, ReadingProperty{}},
+                    Property{u"pin-farthest"_s, Words::tr("Farthest from the plane"), {}, ReadingProperty{}}};
+    page.sections = {std::move(set),
+                     suggestedSection(bench, actions),
+                     {Words::tr("All pins"),
+                      {},
+                      {actions[u"clear-pins"_s], actions[u"import-pins"_s], actions[u"export-pins"_s]},
+                      false}};
+    return page;
+}
+
+} // namespace
+
+QString pinId(int number) {
+    return u"pin-%1"_s.arg(number);
+}
+
+int pinNumber(const QString& id) {
+    const QString before = u"pin-"_s;
+    return id.startsWith(before) ? id.mid(before.size()).toInt() : -1;
+}
+
+bool pinsChosen(const QString& selected) {
+    return selected == allId || selected == suggestedId || pinNumber(selected) >= 0;
+}
+
+void addPinRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Visibility& visible) {
+    const auto count = static_cast<int>(bench.project().pins.size());
+    rows.push_back({.id = allId,
+                    .iconName = u"guides"_s,
+                    .name = Words::tr("Pins"),
+                    .value = count == 0 ? Words::tr("none") : QString::number(count),
+                    .visible = visible.pins,
+                    .strong = true});
+    const int parent = static_cast<int>(rows.size()) - 1;
+    for (int i = 0; i < count; ++i)
+        rows.push_back({.id = pinId(i),
+                        .parent = parent,
+                        .iconName = u"pin"_s,
+                        .tint = toColor(theme().scene.pinLine),
+                        .name = nameOf(i),
+                        .value = wayText(bench, i)});
+    if (bench.suggestionsKnown())
+        rows.push_back({.id = suggestedId,
+                        .parent = parent,
+                        .iconName = u"pin"_s,
+                        .name = Words::tr("Suggested pins"),
+                        .value = QString::number(bench.suggestionsInView().size()),
+                        .visible = visible.suggestedPins});
+}
+
+PropertyPage pinPage(int number, const Workbench& bench, const Actions& actions) {
+    if (!isPin(bench, number))
+        return allPage(bench, actions);
+    PropertyPage page{pinId(number), u"pin"_s, nameOf(number), Words::tr("Pins"), {}};
+    const NumberProperty place{u"mm"_s, -10000, 10000, 0.5, 2, false};
+    PropertySection where{Words::tr("Place in the part"), {}, {actions[u"remove-pin"_s]}, false};
+    for (const QString& axis : axes)
+        where.rows.push_back(Property{placePrefix + axis, axis.toUpper(), {}, place});
+    page.sections = {
+        std::move(where),
+        {Words::tr("Measured"),
+         {Property{u"pin-way"_s, Words::tr("To the plane"),
+                   Words::tr("How far a run has to draw it, along the plane's normal."), ReadingProperty{}}},
+         {},
+         false}};
+    return page;
+}
+
+void fillPinPage(PropertyPanel& panel, const Workbench& bench) {
+    const auto reading = [&](const QString& id, const QString& value) {
+        panel.setValue(id, QStringList{value, QString()});
+    };
+    const std::vector<Pin>& pins = bench.project().pins;
+    if (panel.pageId() == allId) {
+        int farthest = 0;
+        for (int i = 1; i < static_cast<int>(pins.size()); ++i)
+            if (wayToPlane(bench, i) > wayToPlane(bench, farthest))
+                farthest = i;
+        reading(u"pin-number"_s, QString::number(pins.size()));
+        reading(u"pin-farthest"_s, pins.empty() ? u"–"_s : wayText(bench, farthest));
+        panel.setValue(u"pin-count"_s, bench.suggestionCount());
+        const std::vector<SuggestedPin> suggested = bench.suggestionsInView();
+        reading(u"pin-tips"_s,
+                QString::number(std::ranges::count(suggested, PinKind::Tip, &SuggestedPin::kind)));
+        return;
+    }
+    const int number = pinNumber(panel.pageId());
+    if (!isPin(bench, number))
+        return;
+    for (int axis = 0; axis < 3; ++axis)
+        panel.setValue(placePrefix + axes[static_cast<std::size_t>(axis)],
+                       pins[static_cast<std::size_t>(number)].point[axis]);
+    reading(u"pin-way"_s, wayText(bench, number));
+}
+
+bool applyPinValue(Workbench& bench, const QString& id, const QString& page, double value, bool preview) {
+    if (id == u"pin-count"_s) {
+        bench.setSuggestionCount(static_cast<int>(std::lround(value)));
+        return true;
+    }
+    const int number = pinNumber(page);
+    if (!id.startsWith(placePrefix) || !isPin(bench, number))
+        return false;
+    Eigen::Vector3d place = bench.document().committed().pins[static_cast<std::size_t>(number)].point;
+    place[static_cast<Eigen::Index>(std::ranges::find(axes, id.mid(placePrefix.size())) - axes.begin())] =
+        value;
+    if (!preview)
+        bench.movePin(number, place, page + id);
+    return true;
+}
+
+scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool suggested) {
+    scene::ShownPins shown;
+    const Project& project = bench.project();
+    const int chosen = pinNumber(selected);
+    for (const Pin& pin : project.pins) {
+        scene::ShownPin it{
+            .place = pin.point, .onPlane = {}, .chosen = chosen == static_cast<int>(shown.pins.size())};
+        if (project.state)
+            it.onPlane = pin.point - project.state->plane.distance(pin.point) * project.state->plane.normal;
+        shown.pins.push_back(it);
+    }
+    if (suggested)
+        for (const SuggestedPin& pin : bench.suggestionsInView())
+            shown.suggested.push_back(pin.point);
+    return shown;
+}
+
+std::vector<scene::Chip> pinChips(const Workbench& bench, const QString& selected) {
+    const int number = pinNumber(selected);
+    if (!isPin(bench, number))
+        return {};
+    const std::string way = Words::tr("%1 to the plane").arg(wayText(bench, number)).toStdString();
+    return {{bench.project().pins[static_cast<std::size_t>(number)].point,
+             {{}, {{std::nullopt, {{nameOf(number).toStdString()}, {way, scene::Ink::Text, true}}, {}}}}}};
+}
+
+} // namespace moldwright

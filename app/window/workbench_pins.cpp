@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Pins: those set, and those suggested.
+#include "window/workbench.h"
+
+#include "exchange/mesh_file.h"
+#include "project/edits.h"
+#include "project/guide_files.h"
+
+#include <QDir>
+
+#include <algorithm>
+#include <functional>
+
+namespace moldwright {
+
+void Workbench::addPin(const Eigen::Vector3d& place) {
+    std::vector<Pin> pins = m_document.committed().pins;
+    pins.push_back({place});
+    setPins(std::move(pins), tr("Pin a point"));
+}
+
+void Workbench::movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey) {
+    std::vector<Pin> pins = m_document.committed().pins;
+    pins.at(static_cast<std::size_t>(pin)).point = place;
+    setPins(std::move(pins), tr("Move pin %1").arg(pin + 1), mergeKey);
+}
+
+void Workbench::removePin(int pin) {
+    std::vector<Pin> pins = m_document.committed().pins;
+    pins.erase(pins.begin() + pin);
+    setPins(std::move(pins), tr("Remove pin %1").arg(pin + 1));
+}
+
+void Workbench::clearPins() {
+    setPins({}, tr("Remove all pins"));
+}
+
+void Workbench::setPins(std::vector<Pin> pins, const QString& words, const QString& mergeKey) {
+    m_document.edit(words, withPins(m_document.committed(), std::move(pins)), mergeKey);
+}
+
+void Workbench::importPins(const QString& file) {
+    const Project from = m_document.committed();
+    m_background.start(tr("Reading pins"), [=, this](const Task&) -> Background::Finish {
+        const Result<std::vector<Pin>> read = readPins(file.toStdString(), *from.part);
+        return [=, this] {
+            if (!read) {
+                complain(read.error(), tr("Reading pins"));
+                return;
+            }
+            setPins(*read, tr("Pins from a file"));
+            say(Standing::Done,
+                tr("%1 pins read from %2.").arg(read->size()).arg(QDir::toNativeSeparators(file)));
+        };
+    });
+}
+
+void Workbench::exportPins(const QString& file) {
+    const Result<void> written = writeFileAtomically(file.toStdString(), pinsText(project().pins));
+    if (!written)
+        complain(written.error(), tr("Export"));
+    else
+        say(Standing::Done, tr("Pins written to %1.").arg(QDir::toNativeSeparators(file)));
+}
+
+void Workbench::suggestPins() {
+    const Project from = m_document.committed();
+    m_background.start(tr("Looking for pins"), [=, this](const Task& task) -> Background::Finish {
+        Result<PinSuggestions> found =
+            moldwright::suggestPins(*from.part, {mostSuggestedPins, from.design.seed}, task);
+        if (found && from.state)
+            rankPins(*found, *from.part, *from.state, from.design.draftDegrees);
+        return [=, this, found = std::move(found)] {
+            if (!found) {
+                complain(found.error(), tr("Looking for pins"));
+                return;
+            }
+            m_suggested = std::make_shared<const PinSuggestions>(*found);
+            m_rankedPins = m_suggested;
+            m_suggestedPart = from.part;
+            askRanks(); // the plane may be another by now
+            say(Standing::Done,
+                tr("%1 pins are suggested. Click a faint ring to take one.").arg(suggestionsInView().size()));
+            Q_EMIT changed();
+            Q_EMIT pinsSuggested();
+        };
+    });
+}
+
+bool Workbench::suggestionsKnown() const {
+    return m_suggested && m_suggestedPart == project().part;
+}
+
+void Workbench::setSuggestionCount(int count) {
+    m_suggestionCount = std::clamp(count, fewestSuggestedPins, mostSuggestedPins);
+    Q_EMIT changed();
+}
+
+std::vector<SuggestedPin> Workbench::suggestionsInView() const {
+    if (!suggestionsKnown())
+        return {};
+    std::vector<SuggestedPin> best = m_rankedPins->pins;
+    std::ranges::stable_sort(best, std::greater(), &SuggestedPin::rank);
+    best.resize(std::min<std::size_t>(best.size(), static_cast<std::size_t>(m_suggestionCount)));
+    std::erase_if(best, [&](const SuggestedPin& pin) {
+        return std::ranges::count(project().pins, Pin{pin.point}) > 0;
+    });
+    return best;
+}
+
+void Workbench::acceptSuggestion(int suggestion) {
+    std::vector<Pin> pins = m_document.committed().pins;
+    pins.push_back({suggestionsInView().at(static_cast<std::size_t>(suggestion)).point});
+    setPins(std::move(pins), tr("Take a suggested pin"));
+}
+
+void Workbench::acceptTips() {
+    std::vector<Pin> pins = m_document.committed().pins;
+    for (const SuggestedPin& suggested : suggestionsInView())
+        if (suggested.kind == PinKind::Tip)
+            pins.push_back({suggested.point});
+    setPins(std::move(pins), tr("Pin the ends of limbs"));
+}
+
+void Workbench::askRanks() {
+    if (!suggestionsKnown() || !project().state)
+        return;
+    const RankRequest request{m_suggested, project().part, *project().state, project().design.draftDegrees};
+    if (request == m_ranked)
+        return; // other edits change no rank
+    m_ranked = request;
+    m_ranks.ask(request);
+}
+
+void Workbench::takeRanks(const RankRequest& request, const std::shared_ptr<const PinSuggestions>& ranked) {
+    if (request.pins != m_suggested)
+        return; // of another search
+    m_rankedPins = ranked;
+    Q_EMIT changed();
+}
+
+} // namespace moldwright
