@@ -579,6 +579,186 @@
         <source>Have what the chosen obstruction spans filled; Run bends the rest.</source>
         <translation>Was das gewählte Hindernis überspannt, füllen lassen; Start biegt den Rest.</translation>
     </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Theme, language, mouse, defaults and keys.</source>
+        <translation>Farben, Sprache, Maus, Vorgaben und Tasten.</translation>
+    </message>
+    <message>
+        <source>Square to &amp;X</source>
+        <translation>Quer zu &amp;X</translation>
+    </message>
+    <message>
+        <source>Turn the plane square to the x axis; it stays where it is in the part.</source>
+        <translation>Die Ebene quer zur X-Achse drehen; sie bleibt, wo sie im Teil ist.</translation>
+    </message>
+    <message>
+        <source>Square to &amp;Y</source>
+        <translation>Quer zu &amp;Y</translation>
+    </message>
+    <message>
+        <source>Turn the plane square to the y axis; it stays where it is in the part.</source>
+        <translation>Die Ebene quer zur Y-Achse drehen; sie bleibt, wo sie im Teil ist.</translation>
+    </message>
+    <message>
+        <source>Square to &amp;Z</source>
+        <translation>Quer zu &amp;Z</translation>
+    </message>
+    <message>
+        <source>Turn the plane square to the z axis; it stays where it is in the part.</source>
+        <translation>Die Ebene quer zur Z-Achse drehen; sie bleibt, wo sie im Teil ist.</translation>
+    </message>
+    <message>
+        <source>Through three &amp;points</source>
+        <translation>Durch drei &amp;Punkte</translation>
+    </message>
+    <message>
+        <source>Click three places that the plane shall run through. Esc leaves.</source>
+        <translation>Drei Stellen anklicken, durch die die Ebene gehen soll. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>On a &amp;face</source>
+        <translation>Auf eine &amp;Fläche</translation>
+    </message>
+    <message>
+        <source>Click the face that the plane shall lie in. Esc leaves.</source>
+        <translation>Die Fläche anklicken, in der die Ebene liegen soll. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>&amp;Guides</source>
+        <translation>&amp;Führung</translation>
+    </message>
+    <message>
+        <source>&amp;Pin a point</source>
+        <translation>&amp;Punkt anheften</translation>
+    </message>
+    <message>
+        <source>Click points of the part that shall lie on the parting plane. Esc leaves.</source>
+        <translation>Punkte des Teils anklicken, die auf der Trennebene liegen sollen. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Pin a point &amp;inside</source>
+        <translation>Punkt &amp;innen anheften</translation>
+    </message>
+    <message>
+        <source>Click to pin the point farthest inside below the pointer. Esc leaves.</source>
+        <translation>Klicken heftet den Punkt an, der unter dem Zeiger am tiefsten innen liegt. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest pins</source>
+        <translation>Heftpunkte &amp;vorschlagen</translation>
+    </message>
+    <message>
+        <source>Look for points worth pinning: ends of limbs, where limbs meet, along the body.</source>
+        <translation>Punkte suchen, die das Anheften lohnen: Enden von Gliedern, wo Glieder sich treffen, längs des Körpers.</translation>
+    </message>
+    <message>
+        <source>Accept &amp;tips</source>
+        <translation>&amp;Enden annehmen</translation>
+    </message>
+    <message>
+        <source>Pin all suggested points that are ends of limbs.</source>
+        <translation>Alle vorgeschlagenen Punkte anheften, die Enden von Gliedern sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the pin</source>
+        <translation>Heftpunkt &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the pin that is chosen.</source>
+        <translation>Den gewählten Heftpunkt entfernen.</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all pins</source>
+        <translation>&amp;Alle Heftpunkte entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all pins; the suggested ones stay.</source>
+        <translation>Alle Heftpunkte entfernen; die vorgeschlagenen bleiben.</translation>
+    </message>
+    <message>
+        <source>Pins from a &amp;file…</source>
+        <translation>Heftpunkte aus &amp;Datei…</translation>
+    </message>
+    <message>
+        <source>Read pins from a JSON file, as the command line takes it.</source>
+        <translation>Heftpunkte aus einer JSON-Datei lesen, wie die Befehlszeile sie nimmt.</translation>
+    </message>
+    <message>
+        <source>Pins &amp;into a file…</source>
+        <translation>Heftpunkte &amp;in Datei…</translation>
+    </message>
+    <message>
+        <source>Write all pins as JSON for the command line or another project.</source>
+        <translation>Alle Heftpunkte als JSON schreiben, für die Befehlszeile oder ein anderes Projekt.</translation>
+    </message>
+    <message>
+        <source>Go to Part</source>
+        <translation>Zu Teil</translation>
+    </message>
+    <message>
+        <source>Go to the step Part.</source>
+        <translation>Zum Schritt Teil gehen.</translation>
+    </message>
+    <message>
+        <source>Go to Plane</source>
+        <translation>Zu Ebene</translation>
+    </message>
+    <message>
+        <source>Go to the step Plane.</source>
+        <translation>Zum Schritt Ebene gehen.</translation>
+    </message>
+    <message>
+        <source>Go to Guides</source>
+        <translation>Zu Führung</translation>
+    </message>
+    <message>
+        <source>Go to the step Guides.</source>
+        <translation>Zum Schritt Führung gehen.</translation>
+    </message>
+    <message>
+        <source>Go to Deform</source>
+        <translation>Zu Verformen</translation>
+    </message>
+    <message>
+        <source>Go to the step Deform.</source>
+        <translation>Zum Schritt Verformen gehen.</translation>
+    </message>
+    <message>
+        <source>Go to Check</source>
+        <translation>Zu Prüfen</translation>
+    </message>
+    <message>
+        <source>Go to the step Check.</source>
+        <translation>Zum Schritt Prüfen gehen.</translation>
+    </message>
+    <message>
+        <source>Go to Mold</source>
+        <translation>Zu Form</translation>
+    </message>
+    <message>
+        <source>Go to the step Mold.</source>
+        <translation>Zum Schritt Form gehen.</translation>
+    </message>
+    <message>
+        <source>Go to Report</source>
+        <translation>Zu Bericht</translation>
+    </message>
+    <message>
+        <source>Go to the step Report.</source>
+        <translation>Zum Schritt Bericht gehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>Five steps from a part to its mold, at your own pace.</source>
+        <translation>Fünf Schritte vom Teil zu seiner Form, so schnell Sie mögen.</translation>
+    </message>
 </context>
 <context>
     <name>MessageDelegate</name>
@@ -739,14 +919,6 @@
         <translation>Form</translation>
     </message>
     <message>
-        <source>Half 1</source>
-        <translation>Hälfte 1</translation>
-    </message>
-    <message>
-        <source>Half 2</source>
-        <translation>Hälfte 2</translation>
-    </message>
-    <message>
         <source>No part open</source>
         <translation>Kein Teil offen</translation>
     </message>
@@ -825,6 +997,26 @@
     <message>
         <source>will be filled</source>
         <translation>wird gefüllt</translation>
+    </message>
+    <message>
+        <source>No pins</source>
+        <translation>Keine Heftpunkte</translation>
+    </message>
+    <message>
+        <source>1 pin</source>
+        <translation>1 Heftpunkt</translation>
+    </message>
+    <message>
+        <source>%1 pins</source>
+        <translation>%1 Heftpunkte</translation>
+    </message>
+    <message>
+        <source>Ready to run</source>
+        <translation>Bereit zum Start</translation>
+    </message>
+    <message>
+        <source>Half %1</source>
+        <translation>Hälfte %1</translation>
     </message>
 </context>
 <context>
@@ -955,10 +1147,6 @@
     <message>
         <source>While it runs</source>
         <translation>Im Lauf</translation>
-    </message>
-    <message>
-        <source>How the removal directions are chosen when the part is deformed.</source>
-        <translation>Wie die Entformungsrichtungen beim Verformen gewählt werden.</translation>
     </message>
     <message>
         <source>Best for the plane</source>
@@ -1291,6 +1479,30 @@
     <message>
         <source>How far a direction may lean from the axis; 0 holds it there.</source>
         <translation>Wie weit eine Richtung von der Achse abweichen darf; 0 hält sie fest.</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 unter %2</translation>
+    </message>
+    <message>
+        <source>Worst draft %1</source>
+        <translation>Kleinste Schräge %1</translation>
+    </message>
+    <message>
+        <source>Directions tilted by %1 and %2, %3 of the volume on the smaller side</source>
+        <translation>Richtungen geneigt um %1 und %2, %3 des Volumens auf der kleineren Seite</translation>
+    </message>
+    <message>
+        <source>Planes found, best first</source>
+        <translation>Gefundene Ebenen, beste zuerst</translation>
+    </message>
+    <message>
+        <source>Sharpest crease</source>
+        <translation>Schärfster Knick</translation>
+    </message>
+    <message>
+        <source>At the parting line, where the directions are not parallel.</source>
+        <translation>An der Trennlinie, wo die Richtungen nicht parallel sind.</translation>
     </message>
 </context>
 <context>
@@ -2120,6 +2332,98 @@
         <source>Turntable written to %1.</source>
         <translation>Rundumansicht nach %1 geschrieben.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, &lt;b&gt;Del&lt;/b&gt; removes it; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
+        <translation>&lt;b&gt;Klicken&lt;/b&gt; wählt einen Heftpunkt, &lt;b&gt;Entf&lt;/b&gt; entfernt ihn; &lt;b&gt;P&lt;/b&gt; heftet einen weiteren Punkt an. %1</translation>
+    </message>
+    <message>
+        <source>Pins from a file</source>
+        <translation>Heftpunkte aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Pins (*.json);;All files (*)</source>
+        <translation>Heftpunkte (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Pins into a file</source>
+        <translation>Heftpunkte in eine Datei</translation>
+    </message>
+    <message>
+        <source>Pins (*.json)</source>
+        <translation>Heftpunkte (*.json)</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a point of the surface to pin it, with &lt;b&gt;Shift&lt;/b&gt; the point inside below it. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;Klicken&lt;/b&gt; heftet einen Punkt der Oberfläche an, mit &lt;b&gt;Umschalt&lt;/b&gt; den Punkt innen darunter. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; to pin the point inside below the pointer, with &lt;b&gt;Shift&lt;/b&gt; the one on the surface. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;Klicken&lt;/b&gt; heftet den Punkt innen unter dem Zeiger an, mit &lt;b&gt;Umschalt&lt;/b&gt; den auf der Oberfläche. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; the face that the parting plane shall lie in. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;Klicken&lt;/b&gt; Sie die Fläche an, in der die Trennebene liegen soll. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; point %1 of 3 that the parting plane shall run through. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;Klicken&lt;/b&gt; Sie Punkt %1 von 3 an, durch den die Trennebene gehen soll. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>These points lie on a line, so they give no plane. Click three others.</source>
+        <translation>Diese Punkte liegen auf einer Geraden und ergeben keine Ebene. Klicken Sie drei andere an.</translation>
+    </message>
+    <message>
+        <source>Snap the plane</source>
+        <translation>Ebene einrasten</translation>
+    </message>
+    <message>
+        <source>Click the sitting rabbit. A part of your own opens with %1.</source>
+        <translation>Klicken Sie auf den sitzenden Hasen. Ein eigenes Teil öffnet %1.</translation>
+    </message>
+    <message>
+        <source>Choose where the mold parts</source>
+        <translation>Wählen, wo die Form sich teilt</translation>
+    </message>
+    <message>
+        <source>%1 searches the best planes. Try the pictures at the right: red is what would lock in the mold, and less of it is to be bent.</source>
+        <translation>%1 sucht die besten Ebenen. Probieren Sie die Bilder rechts: Rot ist, was in der Form hängen bliebe; je weniger, desto weniger ist zu biegen.</translation>
+    </message>
+    <message>
+        <source>Bend it until it comes out</source>
+        <translation>Biegen, bis es herauskommt</translation>
+    </message>
+    <message>
+        <source>%1 runs. The part bends before your eyes until nothing is red, and the result is proved. What you want to hold on the plane, pin it first, under Guides.</source>
+        <translation>%1 startet. Das Teil biegt sich vor Ihren Augen, bis nichts mehr rot ist, und das Ergebnis wird bewiesen. Was auf der Ebene bleiben soll, heften Sie vorher an, unter Führung.</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source>Turn it with %1 held. %2 paints how far cast and part are apart, %3 how steep each face is. If an ear went wrong, take another plane and run again.</source>
+        <translation>Drehen Sie es mit %1. %2 malt, wie weit Guss und Teil auseinander sind, %3, wie steil jede Fläche ist. Ging ein Ohr daneben, nehmen Sie eine andere Ebene und starten neu.</translation>
+    </message>
+    <message>
+        <source>Shift and the middle button</source>
+        <translation>Umschalt und mittlerer Taste</translation>
+    </message>
+    <message>
+        <source>Make the mold</source>
+        <translation>Die Form bauen</translation>
+    </message>
+    <message>
+        <source>%1 builds both halves and proves that they open. %2 moves them apart; %3 writes them to files.</source>
+        <translation>%1 baut beide Hälften und beweist, dass sie sich öffnen. %2 bewegt sie auseinander; %3 schreibt sie in Dateien.</translation>
+    </message>
+    <message>
+        <source>Crease up to %1</source>
+        <translation>Knick bis %1</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -2518,12 +2822,68 @@
         <translation>Es wird gefüllt. Sonst steht nichts im Weg: Start biegt den Rest.</translation>
     </message>
     <message>
-        <source>It will be filled. %1 more to decide on.</source>
-        <translation>Es wird gefüllt. Über %1 weitere ist zu entscheiden.</translation>
-    </message>
-    <message>
         <source>No direction keeps to the axis and to the tilt limit at this plane. Turn the plane, or allow more.</source>
         <translation>Keine Richtung hält sich an dieser Ebene an Achse und Neigungsgrenze. Die Ebene drehen oder mehr zulassen.</translation>
+    </message>
+    <message>
+        <source>Pin a point</source>
+        <translation>Punkt anheften</translation>
+    </message>
+    <message>
+        <source>Move pin %1</source>
+        <translation>Heftpunkt %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Remove pin %1</source>
+        <translation>Heftpunkt %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all pins</source>
+        <translation>Alle Heftpunkte entfernen</translation>
+    </message>
+    <message>
+        <source>Reading pins</source>
+        <translation>Heftpunkte lesen</translation>
+    </message>
+    <message>
+        <source>Pins from a file</source>
+        <translation>Heftpunkte aus einer Datei</translation>
+    </message>
+    <message>
+        <source>%1 pins read from %2.</source>
+        <translation>%1 Heftpunkte aus %2 gelesen.</translation>
+    </message>
+    <message>
+        <source>Pins written to %1.</source>
+        <translation>Heftpunkte in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Looking for pins</source>
+        <translation>Heftpunkte suchen</translation>
+    </message>
+    <message>
+        <source>%1 pins are suggested. Click a faint ring to take one.</source>
+        <translation>%1 Heftpunkte sind vorgeschlagen. Ein Klick auf einen blassen Ring nimmt ihn an.</translation>
+    </message>
+    <message>
+        <source>Take a suggested pin</source>
+        <translation>Vorgeschlagenen Heftpunkt annehmen</translation>
+    </message>
+    <message>
+        <source>Pin the ends of limbs</source>
+        <translation>Enden von Gliedern anheften</translation>
+    </message>
+    <message>
+        <source>Pins: %1, at most %2 mm from the plane.</source>
+        <translation>Heftpunkte: %1, höchstens %2 mm von der Ebene.</translation>
+    </message>
+    <message>
+        <source>It will be filled. One more place to decide on.</source>
+        <translation>Es wird gefüllt. Über eine weitere Stelle ist zu entscheiden.</translation>
+    </message>
+    <message>
+        <source>It will be filled. %1 more places to decide on.</source>
+        <translation>Es wird gefüllt. Über %1 weitere Stellen ist zu entscheiden.</translation>
     </message>
 </context>
 <context>
@@ -2857,6 +3217,253 @@
     <message>
         <source>both</source>
         <translation>beide</translation>
+    </message>
+</context>
+<context>
+    <name>Guides</name>
+    <message>
+        <source>{0} could not be read.</source>
+        <translation>{0} ließ sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>{0} is not JSON: it goes wrong at byte {1}.</source>
+        <translation>{0} ist kein JSON: Beim Byte {1} stimmt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;{1}&quot;.</source>
+        <translation>{0} hat keine Liste „{1}“.</translation>
+    </message>
+    <message>
+        <source>{0}: the &quot;faces&quot; of region {1} have to be numbers from 0 to {2}.</source>
+        <translation>{0}: Die „faces“ der Region {1} müssen Zahlen von 0 bis {2} sein.</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} needs a &quot;centre&quot; of three numbers and a positive &quot;radius&quot;, or a list of &quot;faces&quot;.</source>
+        <translation>{0}: Region {1} braucht ein „centre“ aus drei Zahlen und einen positiven „radius“ oder eine Liste von „faces“.</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} has no face of the part in it.</source>
+        <translation>{0}: In der Region {1} liegt keine Fläche des Teils.</translation>
+    </message>
+    <message>
+        <source>{0}: the &quot;keep_within&quot; of region {1} has to be a positive number of millimetres.</source>
+        <translation>{0}: Das „keep_within“ der Region {1} muss eine positive Zahl in Millimetern sein.</translation>
+    </message>
+    <message>
+        <source>{0}: pin {1} needs a &quot;point&quot; of three numbers.</source>
+        <translation>{0}: Heftpunkt {1} braucht einen „point“ aus drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>{0}: pin {1} lies {2} mm outside the part. Pins are in the part&apos;s millimetres, after --units, --scale or --size.</source>
+        <translation>{0}: Heftpunkt {1} liegt {2} mm außerhalb des Teils. Heftpunkte sind in den Millimetern des Teils, nach --units, --scale oder --size.</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536.</source>
+        <translation>{0}: Region {1} braucht ein „weight“ von 1 (wie der Rest) bis 65536.</translation>
+    </message>
+</context>
+<context>
+    <name>PinPages</name>
+    <message>
+        <source>Pin %1</source>
+        <translation>Heftpunkt %1</translation>
+    </message>
+    <message>
+        <source>Suggested</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Ends of limbs, where limbs meet, and points along the body.</source>
+        <translation>Enden von Gliedern, wo Glieder sich treffen, und Punkte längs des Körpers.</translation>
+    </message>
+    <message>
+        <source>Shown at most</source>
+        <translation>Höchstens gezeigt</translation>
+    </message>
+    <message>
+        <source>The best ones at this plane; those taken are no longer shown.</source>
+        <translation>Die besten bei dieser Ebene; angenommene werden nicht mehr gezeigt.</translation>
+    </message>
+    <message>
+        <source>Ends of limbs</source>
+        <translation>Enden von Gliedern</translation>
+    </message>
+    <message>
+        <source>Click a faint ring in the view to take it.</source>
+        <translation>Ein Klick auf einen blassen Ring im Bild nimmt ihn an.</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Heftpunkte</translation>
+    </message>
+    <message>
+        <source>Hold points of the part on the parting plane.</source>
+        <translation>Halten Punkte des Teils auf der Trennebene.</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>Von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>No pins yet. Where limbs curl, pins at their ends unroll them.</source>
+        <translation>Noch keine Heftpunkte. Wo Glieder sich krümmen, rollen Heftpunkte an ihren Enden sie auf.</translation>
+    </message>
+    <message>
+        <source>Farthest from the plane</source>
+        <translation>Am weitesten von der Ebene</translation>
+    </message>
+    <message>
+        <source>All pins</source>
+        <translation>Alle Heftpunkte</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Suggested pins</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Place in the part</source>
+        <translation>Stelle im Teil</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>To the plane</source>
+        <translation>Zur Ebene</translation>
+    </message>
+    <message>
+        <source>How far a run has to draw it, along the plane&apos;s normal.</source>
+        <translation>Wie weit ein Lauf ihn ziehen muss, längs der Normalen der Ebene.</translation>
+    </message>
+    <message>
+        <source>%1 to the plane</source>
+        <translation>%1 zur Ebene</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::KeyTable</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>Type other keys</source>
+        <translation>Andere Tasten drücken</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1 belongs to %2. Give that command other keys first.</source>
+        <translation>%1 gehört zu %2. Geben Sie zuerst jenem Befehl andere Tasten.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Find a preference or a key</source>
+        <translation>Eine Einstellung oder Taste finden</translation>
+    </message>
+    <message>
+        <source>No preference has these words.</source>
+        <translation>Keine Einstellung hat diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Appearance and mouse</source>
+        <translation>Aussehen und Maus</translation>
+    </message>
+    <message>
+        <source>Like the desktop</source>
+        <translation>Wie der Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Mouse navigation</source>
+        <translation>Navigation mit der Maus</translation>
+    </message>
+    <message>
+        <source>New parts begin with</source>
+        <translation>Neue Teile beginnen mit</translation>
+    </message>
+    <message>
+        <source>Draft required</source>
+        <translation>Verlangte Schräge</translation>
+    </message>
+    <message>
+        <source>Tilt limit</source>
+        <translation>Größte Neigung</translation>
+    </message>
+    <message>
+        <source>Wall of the mold</source>
+        <translation>Wand der Form</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 </TS>

@@ -2,9 +2,12 @@
 #include "window/action_table.h"
 
 #include "theme/icons.h"
+#include "window/preferences.h"
 
 #include <QCoreApplication>
 #include <QtGlobal>
+
+#include <algorithm>
 
 namespace moldwright {
 
@@ -42,6 +45,9 @@ std::span<const ActionSpec> actionTable() {
         {"find-command", QT_TRANSLATE_NOOP("Actions", "&Edit"),
          QT_TRANSLATE_NOOP("Actions", "&Find a command"), "search", "Ctrl+K",
          QT_TRANSLATE_NOOP("Actions", "Find any command by its words."), Needs::Nothing, false, true},
+        {"preferences", QT_TRANSLATE_NOOP("Actions", "&Edit"), QT_TRANSLATE_NOOP("Actions", "&Preferences…"),
+         "scale", "Ctrl+,", QT_TRANSLATE_NOOP("Actions", "Theme, language, mouse, defaults and keys."),
+         Needs::Nothing, false, true},
 
         {"fit", QT_TRANSLATE_NOOP("Actions", "&View"), QT_TRANSLATE_NOOP("Actions", "&Fit all"), "fit",
          "Shift+F", QT_TRANSLATE_NOOP("Actions", "Bring everything into sight."), Needs::Part},
@@ -290,11 +296,26 @@ std::span<const ActionSpec> actionTable() {
 
         {"keys", QT_TRANSLATE_NOOP("Actions", "&Help"), QT_TRANSLATE_NOOP("Actions", "&Keys and mouse"),
          "keys", "?", QT_TRANSLATE_NOOP("Actions", "Show all keys on one sheet.")},
+        {"tour", QT_TRANSLATE_NOOP("Actions", "&Help"), QT_TRANSLATE_NOOP("Actions", "&Tour"), "tour", "",
+         QT_TRANSLATE_NOOP("Actions", "Five steps from a part to its mold, at your own pace."),
+         Needs::Nothing},
         {"about", QT_TRANSLATE_NOOP("Actions", "&Help"), QT_TRANSLATE_NOOP("Actions", "&About Moldwright"),
          "info", "", QT_TRANSLATE_NOOP("Actions", "Version, licence, libraries.")},
     };
     return table;
 }
+
+namespace {
+
+/// The tool tip tells the keys, so both change together.
+void giveKeys(QAction& action, const QKeySequence& keys) {
+    action.setShortcut(keys);
+    const QString words = keys.toString(QKeySequence::NativeText);
+    action.setToolTip(words.isEmpty() ? action.statusTip()
+                                      : QStringLiteral("%1 (%2)").arg(action.statusTip(), words));
+}
+
+} // namespace
 
 Actions::Actions(QObject* parent) : QObject(parent) {
     const auto translated = [](const char* text) { return QCoreApplication::translate("Actions", text); };
@@ -305,16 +326,43 @@ Actions::Actions(QObject* parent) : QObject(parent) {
         action->setProperty("iconName", QString::fromLatin1(spec.icon));
         if (*spec.icon)
             action->setIcon(themeIcon(QString::fromLatin1(spec.icon)));
-        action->setShortcut(QKeySequence(QString::fromLatin1(spec.shortcut)));
         action->setShortcutContext(Qt::WindowShortcut);
         action->setStatusTip(translated(spec.hint));
-        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(keys.isEmpty() ? translated(spec.hint)
-                                          : QStringLiteral("%1 (%2)").arg(translated(spec.hint), keys));
         action->setCheckable(spec.checkable);
         m_actions[action->objectName()] = action;
         m_ordered.push_back(action);
+        giveKeys(*action, preferences::keysOf(action->objectName())
+                              .value_or(QKeySequence(QString::fromLatin1(spec.shortcut))));
     }
+}
+
+QKeySequence Actions::firstKeys(const QString& id) const {
+    for (const ActionSpec& spec : actionTable())
+        if (id == QLatin1String(spec.id))
+            return QKeySequence(QString::fromLatin1(spec.shortcut));
+    return {};
+}
+
+void Actions::setKeys(const QString& id, const QKeySequence& keys) {
+    preferences::setKeysOf(id, keys == firstKeys(id) ? std::nullopt : std::optional(keys));
+    giveKeys(*m_actions.at(id), keys);
+}
+
+void Actions::resetKeys() {
+    for (const auto& [id, action] : m_actions)
+        setKeys(id, firstKeys(id));
+}
+
+bool Actions::anyKeysChanged() const {
+    return std::ranges::any_of(m_ordered, [&](const QAction* action) {
+        return action->shortcut() != firstKeys(action->objectName());
+    });
+}
+
+const QAction* Actions::withKeys(const QKeySequence& keys) const {
+    const auto found =
+        std::ranges::find_if(m_ordered, [&](const QAction* action) { return action->shortcut() == keys; });
+    return keys.isEmpty() || found == m_ordered.end() ? nullptr : *found;
 }
 
 void Actions::on(const QString& id, const std::function<void()>& run) {

@@ -35,8 +35,8 @@ enum class Needs {
     Redo
 };
 
-/// One command of the program. Menu, tool bar, shortcut, tool tip, status hint, key sheet and command search
-/// are all made from this table.
+/// One command of the program. Menu, tool bar, shortcut, tool tip, status hint, key sheet, command search and
+/// the preferences' list of keys are all made from this table.
 struct ActionSpec {
     const char* id;
     const char* menu; ///< English title of its menu; a '/' parts a submenu
@@ -63,6 +63,14 @@ public:
 
     /// What the command does.
     void on(const QString& id, const std::function<void()>& run);
+
+    /// The keys of a command as the table has them, and others instead, which are kept between sessions.
+    [[nodiscard]] QKeySequence firstKeys(const QString& id) const;
+    void setKeys(const QString& id, const QKeySequence& keys);
+    void resetKeys();
+    [[nodiscard]] bool anyKeysChanged() const;
+    /// The command that has these keys; null for none.
+    [[nodiscard]] const QAction* withKeys(const QKeySequence& keys) const;
 
     /// Enables each command by what it needs.
     void update(const std::function<bool(Needs)>& isSo);

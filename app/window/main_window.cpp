@@ -18,6 +18,7 @@
 #include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
+#include "window/tour.h"
 #include "window/undercut_pages.h"
 #include "window/workbench.h"
 
@@ -33,6 +34,8 @@ namespace moldwright {
 using namespace Qt::StringLiterals;
 
 namespace {
+
+constexpr int historyRow = 24; ///< px
 
 /// The step of the job that a row of the tree belongs to.
 Step stepOf(const QString& id) {
@@ -55,6 +58,9 @@ MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(0);
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
+    m_refreshViews.setSingleShot(true);
+    m_refreshViews.setInterval(0);
+    connect(&m_refreshViews, &QTimer::timeout, this, &MainWindow::refreshNextView);
     buildMenus();
     buildWorkflow();
     buildCentre();
@@ -122,6 +128,8 @@ void MainWindow::refresh() {
     refreshTitle();
     refreshHint();
     refreshProperties();
+    if (m_tour)
+        m_tour->follow();
 }
 
 void MainWindow::refreshHistory() {
@@ -133,6 +141,8 @@ void MainWindow::refreshHistory() {
         m_history->addItem(step.words);
     for (int row = static_cast<int>(history.done()) + 1; row < m_history->count(); ++row)
         m_history->item(row)->setForeground(theme().palette.color(QPalette::Disabled, QPalette::Text));
+    for (int row = 0; row < m_history->count(); ++row)
+        m_history->item(row)->setSizeHint({0, historyRow});
     m_history->setCurrentRow(static_cast<int>(history.done()));
 }
 

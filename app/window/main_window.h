@@ -30,6 +30,7 @@ class ProjectModel;
 class ProjectTree;
 class PropertyPanel;
 class StartPage;
+class Tour;
 class Turntable;
 class ViewArea;
 class ViewBar;
@@ -94,6 +95,9 @@ private:
     void connectPanels();
     void askTurn();
     void showKeys();
+    void showPreferences();
+    void startTour();
+    void useNavigation(const QString& id);
     void showAbout();
     void showProblem(const QString& headline, const QString& text);
     void walkZones(int way);
@@ -118,7 +122,9 @@ private:
     void setMode(DisplayMode mode);
     void refreshViewActions();
     void refreshViews();
+    void refreshNextView();
     void refreshView(ViewPane& pane);
+    void showGuides(scene::Scene& scene, const ShownSurface& surface);
     void showSurface(PartView& view, const ShownSurface& surface, DisplayMode mode, const FaceMap* map);
     void showCut(ViewPane& pane);
     [[nodiscard]] std::vector<scene::Chip> chipsIn(const scene::Scene& scene, const FaceMap* map) const;
@@ -165,6 +171,8 @@ private:
     Workbench& m_bench;
     Actions m_actions;
     QTimer m_refresh;
+    QTimer m_refreshViews;
+    std::vector<ViewPane*> m_oldViews; ///< that are still to be refreshed, the next one last
     Visibility m_visible;
     QString m_selected = QStringLiteral("part");
     Tool m_tool = Tool::None;
@@ -181,6 +189,7 @@ private:
     PartView* m_view = nullptr; ///< the active one
     MeasureTool* m_measure = nullptr;
     Turntable* m_turntable = nullptr; ///< while one is taken
+    Tour* m_tour = nullptr;           ///< while it is on
     ProjectModel* m_projectModel = nullptr;
     ProjectTree* m_tree = nullptr;
     PropertyPanel* m_properties = nullptr;

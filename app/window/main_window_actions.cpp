@@ -20,7 +20,9 @@
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
+#include "window/preferences_dialog.h"
 #include "window/property_pages.h"
+#include "window/tour.h"
 #include "window/turn_dialog.h"
 #include "window/turntable.h"
 #include "window/view_area.h"
@@ -142,6 +144,8 @@ void MainWindow::connectWindowActions() {
         refreshSoon();
     });
     m_actions.on(u"keys"_s, [this] { showKeys(); });
+    m_actions.on(u"preferences"_s, [this] { showPreferences(); });
+    m_actions.on(u"tour"_s, [this] { startTour(); });
     m_actions.on(u"about"_s, [this] { showAbout(); });
     auto* leave = new QShortcut(QKeySequence(Qt::Key_Escape), this);
     connect(leave, &QShortcut::activated, this, &MainWindow::escape);
@@ -253,6 +257,21 @@ void MainWindow::showKeys() {
     sheet->open();
 }
 
+void MainWindow::showPreferences() {
+    auto* dialog = new PreferencesDialog(m_actions, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &PreferencesDialog::themeChosen, this, [this](ThemeChoice choice) {
+        m_actions[choice == ThemeChoice::Light  ? u"theme-light"_s
+                  : choice == ThemeChoice::Dark ? u"theme-dark"_s
+                                                : u"theme-system"_s]
+            ->setChecked(true);
+        useThemeChoice(choice);
+    });
+    connect(dialog, &PreferencesDialog::languageChosen, this, &MainWindow::languageChosen);
+    connect(dialog, &PreferencesDialog::navigationChosen, this, &MainWindow::useNavigation);
+    dialog->show();
+}
+
 void MainWindow::showAbout() {
     QMessageBox box(this);
     box.setWindowTitle(tr("About Moldwright"));
@@ -316,6 +335,8 @@ void MainWindow::escape() {
     for (const ViewPane* pane : m_views->shown())
         if (pane->view().cancelDrag())
             return;
+    if (m_tool == Tool::None && m_tour)
+        Q_EMIT m_tour->ended();
     useTool(Tool::None);
 }
 

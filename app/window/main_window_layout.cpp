@@ -13,6 +13,7 @@
 #include "panels/workflow_bar.h"
 #include "scene/navigation.h"
 #include "view/part_view.h"
+#include "window/languages.h"
 #include "window/preferences.h"
 #include "window/samples.h"
 #include "window/status_progress.h"
@@ -56,6 +57,7 @@ void MainWindow::buildMenus() {
     buildNavigationMenu(help->addMenu(tr("Mouse &navigation")));
     m_search = new CommandSearch(this);
     m_search->setCommands(m_actions.all());
+    m_search->setOwnCommand(m_actions[u"find-command"_s]);
     auto* corner = new QWidget(menuBar());
     auto* row = new QHBoxLayout(corner);
     row->setContentsMargins(0, 3, 6, 3);
@@ -65,8 +67,9 @@ void MainWindow::buildMenus() {
 
 void MainWindow::buildLanguageMenu(QMenu* menu) {
     auto* group = new QActionGroup(menu);
-    for (const auto& [code, name] :
-         {std::pair{QString(), tr("Like the desktop")}, {u"en"_s, u"English"_s}, {u"de"_s, u"Deutsch"_s}}) {
+    std::vector<Language> choices = languages();
+    choices.insert(choices.begin(), {QString(), tr("Like the desktop")});
+    for (const auto& [code, name] : choices) {
         QAction* action = menu->addAction(name);
         action->setCheckable(true);
         action->setChecked(code == preferences::language());
@@ -83,13 +86,20 @@ void MainWindow::buildNavigationMenu(QMenu* menu) {
         action->setCheckable(true);
         action->setChecked(scheme.id == current);
         group->addAction(action);
-        connect(action, &QAction::triggered, this, [this, &scheme] {
-            preferences::setNavigation(QString::fromStdString(scheme.id));
-            for (const ViewPane* pane : m_views->made())
-                pane->view().setNavigation(scheme);
-            m_navigationLabel->setText(tr("Navigation: %1").arg(QString::fromStdString(scheme.name)));
-        });
+        action->setObjectName(u"navigation-"_s + QString::fromStdString(scheme.id));
+        connect(action, &QAction::triggered, this,
+                [this, &scheme] { useNavigation(QString::fromStdString(scheme.id)); });
     }
+}
+
+void MainWindow::useNavigation(const QString& id) {
+    const scene::NavigationScheme& scheme = scene::navigationScheme(id.toStdString());
+    preferences::setNavigation(id);
+    for (const ViewPane* pane : m_views->made())
+        pane->view().setNavigation(scheme);
+    m_navigationLabel->setText(tr("Navigation: %1").arg(QString::fromStdString(scheme.name)));
+    if (auto* action = menuBar()->findChild<QAction*>(u"navigation-"_s + id))
+        action->setChecked(true);
 }
 
 void MainWindow::buildWorkflow() {
@@ -107,7 +117,7 @@ void MainWindow::buildWorkflow() {
 
 void MainWindow::buildCentre() {
     m_centre = new QStackedWidget(this);
-    m_start = new StartPage(m_actions[u"open"_s], bundledSamples(), m_centre);
+    m_start = new StartPage(m_actions[u"open"_s], m_actions[u"tour"_s], bundledSamples(), m_centre);
     m_centre->addWidget(m_start);
     auto* work = new QWidget(m_centre);
     auto* column = new QVBoxLayout(work);

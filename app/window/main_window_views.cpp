@@ -186,10 +186,27 @@ void MainWindow::refreshViewActions() {
 
 void MainWindow::refreshViews() {
     m_viewBar->setMoldShown(moldShown());
+    // Each takes its time on a large part: the active one comes at once, the others between events.
+    m_oldViews.clear();
     for (ViewPane* pane : m_views->shown())
-        refreshView(*pane);
+        if (pane != &m_views->active())
+            m_oldViews.push_back(pane);
+    m_oldViews.push_back(&m_views->active());
+    refreshNextView();
+}
+
+void MainWindow::refreshNextView() {
+    if (m_oldViews.empty())
+        return;
+    ViewPane* pane = m_oldViews.back();
+    m_oldViews.pop_back();
+    refreshView(*pane);
+    if (!m_oldViews.empty()) {
+        m_refreshViews.start();
+        return;
+    }
     const bool allDrawn = std::ranges::all_of(
-        m_views->shown(), [](const ViewPane* pane) { return pane->view().scene().surface() != nullptr; });
+        m_views->shown(), [](const ViewPane* shown) { return shown->view().scene().surface() != nullptr; });
     if (!allDrawn)
         return;
     const Fit fit = std::exchange(m_fitWhenDrawn, Fit::Not);
@@ -226,10 +243,15 @@ void MainWindow::refreshView(ViewPane& pane) {
     scene.setChips(surface.drawn && !inMold ? chipsIn(scene, map) : std::vector<scene::Chip>());
     const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
     scene.setPath(measured ? m_measure->measurement().path() : m_planePoints);
-    const bool pins = surface.drawn && surface.drawn->mesh == m_bench.project().part && m_visible.pins;
-    const bool suggested = m_visible.suggestedPins && pinsChosen(m_selected);
-    scene.setPins(pins ? shownPins(m_bench, m_selected, suggested) : scene::ShownPins());
+    showGuides(scene, surface);
     view.redraw();
+}
+
+void MainWindow::showGuides(scene::Scene& scene, const ShownSurface& surface) {
+    const bool onPart = surface.drawn && surface.drawn->mesh == m_bench.project().part;
+    const bool suggested = m_visible.suggestedPins && pinsChosen(m_selected);
+    scene.setPins(onPart && m_visible.pins ? shownPins(m_bench, m_selected, suggested) : scene::ShownPins());
+    scene.setFilling(onPart ? shownFilling(m_bench, m_selected) : nullptr);
 }
 
 void MainWindow::showSurface(PartView& view, const ShownSurface& surface, DisplayMode mode,

@@ -54,6 +54,34 @@ void setNavigation(const QString& id) {
     QSettings().setValue(u"navigation"_s, id);
 }
 
+std::optional<QKeySequence> keysOf(const QString& command) {
+    const QVariant kept = QSettings().value(u"keys/"_s + command);
+    return kept.isValid() ? std::optional(QKeySequence(kept.toString(), QKeySequence::PortableText))
+                          : std::nullopt;
+}
+
+void setKeysOf(const QString& command, const std::optional<QKeySequence>& keys) {
+    if (keys)
+        QSettings().setValue(u"keys/"_s + command, keys->toString(QKeySequence::PortableText));
+    else
+        QSettings().remove(u"keys/"_s + command);
+}
+
+Defaults defaults() {
+    const QSettings kept;
+    const Defaults first;
+    return {kept.value(u"defaults/draft"_s, first.draftDegrees).toDouble(),
+            kept.value(u"defaults/tilt"_s, first.maxTiltDegrees).toDouble(),
+            kept.value(u"defaults/wall"_s, first.wall).toDouble()};
+}
+
+void setDefaults(const Defaults& defaults) {
+    QSettings kept;
+    kept.setValue(u"defaults/draft"_s, defaults.draftDegrees);
+    kept.setValue(u"defaults/tilt"_s, defaults.maxTiltDegrees);
+    kept.setValue(u"defaults/wall"_s, defaults.wall);
+}
+
 std::vector<RecentFile> recentFiles() {
     std::vector<RecentFile> files;
     for (const QString& file : QSettings().value(u"recent"_s).toStringList())

@@ -5,8 +5,10 @@
 #include "theme/theme.h"
 
 #include <QByteArray>
+#include <QKeySequence>
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace moldwright {
@@ -17,13 +19,27 @@ namespace preferences {
 [[nodiscard]] ThemeChoice themeChoice();
 void setThemeChoice(ThemeChoice choice);
 
-/// Language as "en" or "de"; empty follows the desktop.
+/// Language as in languages(); empty follows the desktop.
 [[nodiscard]] QString language();
 void setLanguage(const QString& language);
 
 /// Id of the navigation scheme.
 [[nodiscard]] QString navigation();
 void setNavigation(const QString& id);
+
+/// Keys that the user gave a command instead of the table's; nothing: the table's. No keys at all is a choice
+/// too.
+[[nodiscard]] std::optional<QKeySequence> keysOf(const QString& command);
+void setKeysOf(const QString& command, const std::optional<QKeySequence>& keys);
+
+/// What new parts begin with.
+struct Defaults {
+    double draftDegrees = 1;
+    double maxTiltDegrees = 30;
+    double wall = 5; ///< mm, of the mold: beside, over and under the cavity
+};
+[[nodiscard]] Defaults defaults();
+void setDefaults(const Defaults& defaults);
 
 [[nodiscard]] std::vector<RecentFile> recentFiles();
 void addRecentFile(const QString& file);

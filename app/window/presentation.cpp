@@ -59,7 +59,8 @@ StepState deformState(const Workbench& bench) {
                 frame ? Words::tr("Running, step %1").arg(frame->frame.step) : Words::tr("Running")};
     }
     if (!bench.obstructions().empty())
-        return {Standing::Failing, Words::tr("Obstructed")};
+        return bench.obstructionsLeft() > 0 ? StepState{Standing::Failing, Words::tr("Obstructed")}
+                                            : StepState{Standing::Todo, Words::tr("Ready to run")};
     if (!bench.project().cast)
         return {Standing::Todo, Words::tr("Not started")};
     if (bench.analysisIsCurrent() && !bench.castIsProved())
@@ -258,7 +259,7 @@ Verdict verdictOf(const Workbench& bench) {
         return {Standing::Done, Words::tr("Castable"),
                 Words::tr("Proved at %1 draft, %2 required").arg(proved, required)};
     }
-    if (const auto count = static_cast<int>(bench.obstructions().size()))
+    if (const int count = bench.obstructionsLeft())
         return {Standing::Failing, Words::tr("Cannot be cast yet"),
                 count == 1 ? Words::tr("One obstruction at this plane")
                            : Words::tr("%1 obstructions at this plane").arg(count)};

@@ -192,4 +192,12 @@ std::vector<scene::Chip> undercutMarks(const Workbench& bench, const QString& se
     return marks;
 }
 
+SharedMesh shownFilling(const Workbench& bench, const QString& selected) {
+    const int number = undercutNumber(selected);
+    if (number < 0 || number >= static_cast<int>(bench.undercuts().size()))
+        return nullptr;
+    // Shared with the list: views see by the pointer that it is the same.
+    return bench.wallsOf(number);
+}
+
 } // namespace moldwright

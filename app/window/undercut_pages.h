@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "mesh/indexed_mesh.h"
 #include "panels/project_tree.h"
 #include "panels/property_panel.h"
 #include "scene/overlay.h"
@@ -31,5 +32,8 @@ bool applyTreatment(Workbench& bench, const QString& id, int choice);
 [[nodiscard]] std::vector<int> markedUndercuts(const Workbench& bench, const QString& selected);
 /// Their marks, with volume and treatment; the chosen one in bold.
 [[nodiscard]] std::vector<scene::Chip> undercutMarks(const Workbench& bench, const QString& selected);
+
+/// The walls that filling the chosen undercut would make; null for none.
+[[nodiscard]] SharedMesh shownFilling(const Workbench& bench, const QString& selected);
 
 } // namespace moldwright

@@ -163,12 +163,18 @@ public:
     [[nodiscard]] const std::vector<FillableUndercut>& undercuts() const;
     /// A box about one of them, mm.
     [[nodiscard]] Eigen::AlignedBox3d placeOfUndercut(int undercut) const;
+    /// The walls that filling it would make, without draft.
+    [[nodiscard]] const SharedMesh& wallsOf(int undercut) const {
+        return m_undercuts.walls.at(static_cast<std::size_t>(undercut));
+    }
     /// What was chosen for one of them; none: the rule.
     [[nodiscard]] std::optional<UndercutChoice::Treatment> treatmentOf(int undercut) const;
     void treat(int undercut, std::optional<UndercutChoice::Treatment> treatment);
     /// Where filling would take an obstruction away; empty where that is not known.
     [[nodiscard]] std::vector<Eigen::Vector3d> placesToFill(int obstruction) const;
     [[nodiscard]] bool willBeFilled(int obstruction) const;
+    /// How many of the obstructions() are still to be decided on.
+    [[nodiscard]] int obstructionsLeft() const;
     void fillObstruction(int obstruction);
 
     // Pins
@@ -276,7 +282,8 @@ private:
         SharedMesh part;
         std::optional<MoldState> state;
         std::vector<FillableUndercut> list;
-    } m_undercuts; ///< of this part at this state
+        std::vector<SharedMesh> walls; ///< of each
+    } m_undercuts;                     ///< of this part at this state
     LiveRanks m_ranks;
     std::shared_ptr<const PinSuggestions> m_suggested;  ///< as found
     std::shared_ptr<const PinSuggestions> m_rankedPins; ///< the same, ranked as answered last

@@ -27,6 +27,16 @@ std::optional<MeshFormat> formatOf(const QString& file) {
     return std::nullopt;
 }
 
+/// An empty project with what the user wants new parts to begin with.
+Project freshProject() {
+    const preferences::Defaults defaults = preferences::defaults();
+    Project fresh;
+    fresh.design.draftDegrees = defaults.draftDegrees;
+    fresh.design.limits.maxTiltDegrees = defaults.maxTiltDegrees;
+    fresh.mold.wall = fresh.mold.floor = fresh.mold.ceiling = defaults.wall;
+    return fresh;
+}
+
 /// A plane to begin with: level, through the part's middle.
 MoldState levelPlane(const Eigen::Vector3d& middle) {
     PartingPlane plane;
@@ -121,8 +131,9 @@ void Workbench::readFile(const QString& file, const QString& name, bool sample) 
 
 void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
     const auto source = std::make_shared<const IndexedMesh>(opened.prepared.mesh);
-    Project project = withPart(m_document.committed(), opened.name.toStdString(), opened.file.toStdString(),
-                               source, {unit, scale, Eigen::Isometry3d::Identity()});
+    const Project from = project().part ? m_document.committed() : freshProject();
+    Project project = withPart(from, opened.name.toStdString(), opened.file.toStdString(), source,
+                               {unit, scale, Eigen::Isometry3d::Identity()});
     project = withState(project, levelPlane(figures(project.part).box.center()), false);
     show(project, {});
     if (!opened.file.isEmpty())

@@ -34,7 +34,9 @@ void Workbench::findUndercuts() {
                 complain(found.error(), tr("Looking for undercuts"));
                 return;
             }
-            m_undercuts = {from.part, from.state, *found};
+            m_undercuts = {from.part, from.state, *found, {}};
+            for (const FillableUndercut& undercut : *found)
+                m_undercuts.walls.push_back(std::make_shared<const IndexedMesh>(undercut.walls));
             const auto needed = std::ranges::count_if(*found, [](const auto& u) { return u.needed; });
             say(Standing::Done,
                 tr("%1 undercuts at this plane; %2 that no bending frees.").arg(found->size()).arg(needed));
@@ -103,13 +105,20 @@ void Workbench::fillObstruction(int obstruction) {
     for (const Eigen::Vector3d& place : placesToFill(obstruction))
         after = withUndercut(std::move(after), place, UndercutChoice::Treatment::Fill);
     m_document.edit(tr("Fill an obstruction"), after);
-    const auto count = static_cast<int>(obstructions().size());
+    const int left = obstructionsLeft();
+    const QString headline =
+        left == 0   ? tr("It will be filled. Nothing else stands in the way: Run bends the rest.")
+        : left == 1 ? tr("It will be filled. One more place to decide on.")
+                    : tr("It will be filled. %1 more places to decide on.").arg(left);
+    say(Standing::Info, headline);
+    Q_EMIT advised({Standing::Info, headline, {}, left == 0 ? QStringLiteral("run") : QString()});
+}
+
+int Workbench::obstructionsLeft() const {
     int left = 0;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < static_cast<int>(obstructions().size()); ++i)
         left += willBeFilled(i) ? 0 : 1;
-    say(Standing::Info, left == 0
-                            ? tr("It will be filled. Nothing else stands in the way: Run bends the rest.")
-                            : tr("It will be filled. %1 more to decide on.").arg(left));
+    return left;
 }
 
 } // namespace moldwright

@@ -5,4 +5,4 @@ set(MOLDWRIGHT_ICONS
     info.svg keys.svg lay-flat.svg link.svg measure.svg mold.svg moldwright.svg move.svg ok.svg one.svg open.svg
     part.svg pause.svg perspective.svg pin.svg pin-inside.svg plane.svg play.svg print.svg proof.svg redo.svg report.svg
     restore.svg result.svg running.svg save.svg scale.svg search.svg section.svg see-through.svg select.svg
-    stale.svg stop.svg todo.svg turn.svg turntable.svg two.svg undo.svg warn.svg)
+    stale.svg stop.svg todo.svg tour.svg turn.svg turntable.svg two.svg undo.svg warn.svg)

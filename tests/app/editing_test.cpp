@@ -21,8 +21,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 using namespace moldwright;
 using test::WindowDriver;
 
@@ -127,36 +125,6 @@ TEST(Editing, TheLeftButtonNeverOrbitsAndTheMiddleButtonFollowsTheScheme) {
     EXPECT_FALSE(view.camera().focus.isApprox(focus, 1e-6));
     drag(view, middle, middle + QPoint(50, 10), Qt::MiddleButton, Qt::ShiftModifier);
     EXPECT_FALSE(view.camera().turn.isApprox(turn, 1e-6));
-}
-
-TEST(Editing, AWalkOfEditsUndosAndRedosComesBackToEqualProjects) {
-    WindowDriver driver;
-    ASSERT_TRUE(driver.openSample("praline"));
-    Document& document = driver.bench().document();
-    std::vector<Project> states = {document.committed()};
-    std::mt19937 random(7);
-    const std::vector<const char*> edits = {"turn-x", "turn-y", "turn-z", "centre", "normal-directions"};
-    for (int step = 0; step < 120; ++step) {
-        const unsigned choice = random() % 8;
-        if (choice < 5) {
-            const std::size_t before = document.history().done();
-            driver.window().actions()[QString::fromLatin1(edits[choice])]->trigger();
-            // An edit that changes nothing is no step: what was undone can still be redone.
-            if (document.history().done() != before) {
-                states.resize(document.history().done());
-                states.push_back(document.committed());
-            }
-        } else if (choice < 7) {
-            document.undo();
-        } else {
-            document.redo();
-        }
-        ASSERT_LT(document.history().done(), states.size()) << "step " << step;
-        ASSERT_TRUE(document.committed() == states[document.history().done()]) << "step " << step;
-    }
-    while (document.history().canUndo())
-        document.undo();
-    EXPECT_TRUE(document.committed() == states.front());
 }
 
 TEST(Editing, TypingALengthScalesThePart) {

@@ -13,10 +13,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <vector>
 
 using namespace moldwright;
 using namespace Qt::StringLiterals;
@@ -43,9 +45,23 @@ std::set<std::string> contextsOfTheCore() {
     return contexts;
 }
 
-class German : public testing::Test {
+/// The places for values in a text, sorted: %1 and {0}.
+std::vector<std::string> placesIn(const QString& text) {
+    static const std::regex place(R"(%\d|\{\d\})");
+    const std::string utf8 = text.toStdString();
+    std::vector<std::string> places;
+    for (std::sregex_iterator it(utf8.begin(), utf8.end(), place), end; it != end; ++it)
+        places.push_back(it->str());
+    std::ranges::sort(places);
+    return places;
+}
+
+/// Each translation, by the name of its file.
+class Translated : public testing::TestWithParam<const char*> {
 protected:
-    void SetUp() override { ASSERT_TRUE(m_translator.load(u":/i18n/moldwright_de.qm"_s)); }
+    void SetUp() override {
+        ASSERT_TRUE(m_translator.load(u":/i18n/%1.qm"_s.arg(QLatin1String(GetParam()))));
+    }
 
     [[nodiscard]] bool knows(const char* context, const QByteArray& text) const {
         return !m_translator.translate(context, text.constData()).isEmpty();
@@ -64,8 +80,11 @@ TEST(Translation, TheWindowKnowsEveryContextOfTheCoresSentences) {
         EXPECT_TRUE(sentenceContexts().contains(QString::fromStdString(context))) << context;
 }
 
-TEST(Translation, NothingIsLeftUnfinished) {
-    QFile file(QString::fromStdString((test::sourceFolder() / "translations/moldwright_de.ts").string()));
+INSTANTIATE_TEST_SUITE_P(Languages, Translated, testing::Values("moldwright_de", "moldwright_zh_CN"));
+
+TEST_P(Translated, NothingIsLeftUnfinishedAndNoPlaceIsLost) {
+    const std::filesystem::path folder = test::sourceFolder() / "translations";
+    QFile file(QString::fromStdString((folder / (std::string(GetParam()) + ".ts")).string()));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     QXmlStreamReader xml(&file);
     QString source;
@@ -79,20 +98,22 @@ TEST(Translation, NothingIsLeftUnfinished) {
         } else if (xml.name() == "translation"_L1) {
             ++messages;
             EXPECT_NE(xml.attributes().value("type"_L1), "unfinished"_L1) << source.toStdString();
-            EXPECT_FALSE(xml.readElementText().isEmpty()) << source.toStdString();
+            const QString text = xml.readElementText();
+            EXPECT_FALSE(text.isEmpty()) << source.toStdString();
+            EXPECT_EQ(placesIn(text), placesIn(source)) << source.toStdString();
         }
     }
     EXPECT_FALSE(xml.hasError());
     EXPECT_GT(messages, 400);
 }
 
-TEST_F(German, EveryCommandHasItsWords) {
+TEST_P(Translated, EveryCommandHasItsWords) {
     for (const ActionSpec& spec : actionTable())
         for (const char* text : {spec.menu, spec.text, spec.hint})
             EXPECT_TRUE(knows("Actions", text)) << text;
 }
 
-TEST_F(German, EverySampleHasItsWords) {
+TEST_P(Translated, EverySampleHasItsWords) {
     QFile list(QString::fromStdString((test::samples() / "samples.json").string()));
     ASSERT_TRUE(list.open(QIODevice::ReadOnly));
     const QJsonArray samples = QJsonDocument::fromJson(list.readAll()).object().value("samples"_L1).toArray();

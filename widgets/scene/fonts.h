@@ -5,13 +5,9 @@
 
 namespace moldwright::scene {
 
-/// Font files for text in views: VTK's own fonts lack signs such as ✓, − and the letters of many languages.
-struct ViewFonts {
-    std::string regular; ///< empty when no font file was found; VTK's own is used then
-    std::string bold;
-};
-
-/// Noto Sans where it is installed, else DejaVu Sans.
-[[nodiscard]] const ViewFonts& viewFonts();
+/// The font file for a text (UTF-8) in a view: VTK's own fonts lack signs such as ✓, − and the letters of
+/// many languages, and it falls back to no other. Noto Sans where it is installed, else DejaVu Sans; for
+/// Chinese WenQuanYi Micro Hei or Noto Sans CJK. Empty where none is found; VTK's own is used then.
+[[nodiscard]] const std::string& viewFontFor(const std::string& text, bool bold);
 
 } // namespace moldwright::scene

@@ -38,9 +38,9 @@ const std::array<std::array<Eigen::Vector3d, 2>, 6>& faceAxes() {
 /// A square picture of `word` in the middle of a plain ground.
 vtkNew<vtkImageData> wordPicture(const std::string& word, Rgb ground, Rgb ink) {
     vtkNew<vtkTextProperty> style;
-    if (!viewFonts().bold.empty()) {
+    if (const std::string& file = viewFontFor(word, true); !file.empty()) {
         style->SetFontFamily(VTK_FONT_FILE);
-        style->SetFontFile(viewFonts().bold.c_str());
+        style->SetFontFile(file.c_str());
     }
     style->SetFontSize(word.size() > 7 ? 26 : 36);
     style->SetColor(1, 1, 1);

@@ -44,8 +44,8 @@ Rgb inkColour(Ink ink, const SceneColours& colours) {
     return colours.text;
 }
 
-void useFont(vtkTextProperty* text, bool bold, double size) {
-    const std::string& file = bold ? viewFonts().bold : viewFonts().regular;
+void useFont(vtkTextProperty* text, const std::string& words, bool bold, double size) {
+    const std::string& file = viewFontFor(words, bold);
     if (!file.empty()) {
         text->SetFontFamily(VTK_FONT_FILE);
         text->SetFontFile(file.c_str());
@@ -147,7 +147,7 @@ double OverlayPanel::addText(const PanelContent::Run& run, const SceneColours& c
     vtkNew<vtkTextActor> text;
     text->SetInput(words.c_str());
     text->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
-    useFont(text->GetTextProperty(), run.bold, size);
+    useFont(text->GetTextProperty(), words, run.bold, size);
     text->GetTextProperty()->SetColor(inkColour(run.ink, colours).unit().data());
     std::array<int, 4> box = {};
     vtkTextRenderer::GetInstance()->GetBoundingBox(text->GetTextProperty(), words, box.data(), 72);

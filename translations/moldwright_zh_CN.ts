@@ -1,0 +1,3469 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open a part…</source>
+        <translation>打开零件(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a mesh (STL, OBJ, PLY, OFF) or a Moldwright project.</source>
+        <translation>打开网格（STL、OBJ、PLY、OFF）或 Moldwright 项目。</translation>
+    </message>
+    <message>
+        <source>&amp;Close the part</source>
+        <translation>关闭零件(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Close the part and go back to the start page.</source>
+        <translation>关闭零件，回到起始页。</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save the project to its file.</source>
+        <translation>把项目保存到它的文件。</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save the project to another file.</source>
+        <translation>把项目保存到另一个文件。</translation>
+    </message>
+    <message>
+        <source>&amp;Export the shape…</source>
+        <translation>导出形状(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Write the shape in view as STL, PLY, OBJ or OFF.</source>
+        <translation>把视图中的形状写成 STL、PLY、OBJ 或 OFF。</translation>
+    </message>
+    <message>
+        <source>Export the &amp;halves…</source>
+        <translation>导出半模(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Write both mold halves into a folder.</source>
+        <translation>把两个半模写入一个文件夹。</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close Moldwright.</source>
+        <translation>关闭 Moldwright。</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take the last edit back.</source>
+        <translation>撤回上一次编辑。</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Do the edit again.</source>
+        <translation>再做一次该编辑。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy what was measured</source>
+        <translation>复制测量值(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Put the measured values on the clipboard, as text.</source>
+        <translation>把测量值作为文本放到剪贴板。</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command</source>
+        <translation>查找命令(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Find any command by its words.</source>
+        <translation>按词语查找任何命令。</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>首选项(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Theme, language, mouse, defaults and keys.</source>
+        <translation>主题、语言、鼠标、默认值和按键。</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Fit all</source>
+        <translation>适合全部(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Bring everything into sight.</source>
+        <translation>让全部内容进入视野。</translation>
+    </message>
+    <message>
+        <source>&amp;Home view</source>
+        <translation>初始视图(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Look from the front, right and above.</source>
+        <translation>从右前上方看。</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>前(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Look from the front.</source>
+        <translation>从前面看。</translation>
+    </message>
+    <message>
+        <source>R&amp;ight</source>
+        <translation>右(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Look from the right.</source>
+        <translation>从右面看。</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>上(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Look from above.</source>
+        <translation>从上面看。</translation>
+    </message>
+    <message>
+        <source>Opp&amp;osite</source>
+        <translation>对面(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Look from the other side.</source>
+        <translation>从另一面看。</translation>
+    </message>
+    <message>
+        <source>At the parting plane</source>
+        <translation>正对分型面</translation>
+    </message>
+    <message>
+        <source>Look along the normal of the parting plane.</source>
+        <translation>沿分型面的法线看。</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>透视(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show depth as the eye sees it, or without.</source>
+        <translation>像眼睛那样显示深度，或不显示。</translation>
+    </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>一个视图(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show one view.</source>
+        <translation>显示一个视图。</translation>
+    </message>
+    <message>
+        <source>T&amp;wo views</source>
+        <translation>两个视图(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show the part and its cast beside each other.</source>
+        <translation>并排显示零件和它的铸件。</translation>
+    </message>
+    <message>
+        <source>Fo&amp;ur views</source>
+        <translation>四个视图(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show it from above, from the front, from the right, and freely.</source>
+        <translation>从上、从前、从右以及自由地显示。</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k the views</source>
+        <translation>联动视图(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Let all views move together.</source>
+        <translation>让所有视图一起移动。</translation>
+    </message>
+    <message>
+        <source>&amp;Undercuts</source>
+        <translation>倒扣(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Paint the faces below the required draft red.</source>
+        <translation>把低于要求拔模角的面涂成红色。</translation>
+    </message>
+    <message>
+        <source>&amp;Draft map</source>
+        <translation>拔模角图(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Paint every face by its draft angle.</source>
+        <translation>按拔模角给每个面上色。</translation>
+    </message>
+    <message>
+        <source>Undercut d&amp;epth</source>
+        <translation>倒扣深度(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Paint every undercut by how far it is blocked, in mm.</source>
+        <translation>按受阻的距离（毫米）给每个倒扣上色。</translation>
+    </message>
+    <message>
+        <source>De&amp;viation</source>
+        <translation>偏差(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Paint how far cast and part are apart, in mm.</source>
+        <translation>按铸件与零件的距离（毫米）上色。</translation>
+    </message>
+    <message>
+        <source>&amp;Strain</source>
+        <translation>应变(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Paint how much the surface was stretched, in percent.</source>
+        <translation>按表面拉伸的百分比上色。</translation>
+    </message>
+    <message>
+        <source>P&amp;lain</source>
+        <translation>素色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show the shape alone.</source>
+        <translation>只显示形状。</translation>
+    </message>
+    <message>
+        <source>Parting plane</source>
+        <translation>分型面</translation>
+    </message>
+    <message>
+        <source>Show or hide the parting plane.</source>
+        <translation>显示或隐藏分型面。</translation>
+    </message>
+    <message>
+        <source>Removal directions</source>
+        <translation>脱模方向</translation>
+    </message>
+    <message>
+        <source>Show or hide both removal directions.</source>
+        <translation>显示或隐藏两个脱模方向。</translation>
+    </message>
+    <message>
+        <source>Mesh edges</source>
+        <translation>网格边</translation>
+    </message>
+    <message>
+        <source>Show or hide the edges of the faces.</source>
+        <translation>显示或隐藏面的边。</translation>
+    </message>
+    <message>
+        <source>See-through</source>
+        <translation>透明</translation>
+    </message>
+    <message>
+        <source>Show the shape as if it were glass.</source>
+        <translation>像玻璃一样显示形状。</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Click places on the surface: draft, thickness, distance, angle. Esc leaves.</source>
+        <translation>点击表面上的位置：拔模角、厚度、距离、角度。Esc 退出。</translation>
+    </message>
+    <message>
+        <source>Se&amp;ction</source>
+        <translation>剖切(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Cut the view open at the parting plane, or anywhere along it.</source>
+        <translation>在分型面处或沿它的任何位置剖开视图。</translation>
+    </message>
+    <message>
+        <source>Save a picture…</source>
+        <translation>保存图片…</translation>
+    </message>
+    <message>
+        <source>Write the view as a PNG picture.</source>
+        <translation>把视图写成 PNG 图片。</translation>
+    </message>
+    <message>
+        <source>Save a t&amp;urntable…</source>
+        <translation>保存旋转动画(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Turn the view once around and write an animated PNG. Esc stops.</source>
+        <translation>让视图转一圈并写成动态 PNG。Esc 停止。</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>零件(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Lay flat on a face</source>
+        <translation>以一个面放平(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Click the face that shall lie on the ground. Esc leaves.</source>
+        <translation>点击要放在地面上的面。Esc 退出。</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;X</source>
+        <translation>绕 &amp;X 转</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about the x axis.</source>
+        <translation>把零件绕 X 轴转 90°。</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;Y</source>
+        <translation>绕 &amp;Y 转</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about the y axis.</source>
+        <translation>把零件绕 Y 轴转 90°。</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;Z</source>
+        <translation>绕 &amp;Z 转</translation>
+    </message>
+    <message>
+        <source>Turn the part by 90° about the z axis.</source>
+        <translation>把零件绕 Z 轴转 90°。</translation>
+    </message>
+    <message>
+        <source>Tu&amp;rn by an angle…</source>
+        <translation>转任意角度(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Turn the part about an axis, by any angle.</source>
+        <translation>把零件绕一根轴转任意角度。</translation>
+    </message>
+    <message>
+        <source>Move to the &amp;middle</source>
+        <translation>移到中间(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Put the middle of the part above the origin, on the ground.</source>
+        <translation>把零件的中心放在原点上方的地面上。</translation>
+    </message>
+    <message>
+        <source>P&amp;lane</source>
+        <translation>平面(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Best plane</source>
+        <translation>最佳平面(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Search all planes for the one that leaves the least to deform.</source>
+        <translation>搜索所有平面，找出需要变形最少的一个。</translation>
+    </message>
+    <message>
+        <source>&amp;Next best plane</source>
+        <translation>下一个最佳平面(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Take the next plane of the last search.</source>
+        <translation>采用上次搜索的下一个平面。</translation>
+    </message>
+    <message>
+        <source>Take the &amp;suggested plane</source>
+        <translation>采用建议的平面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Part the part where nothing stands in the way of the mold.</source>
+        <translation>在没有东西挡住模具的地方分型。</translation>
+    </message>
+    <message>
+        <source>Best &amp;directions</source>
+        <translation>最佳方向(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Tilt both directions to where the least is left to deform.</source>
+        <translation>把两个方向倾斜到需要变形最少处。</translation>
+    </message>
+    <message>
+        <source>Directions along the &amp;normal</source>
+        <translation>方向沿法线(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Let both halves leave straight along the plane&apos;s normal.</source>
+        <translation>让两个半模沿平面法线直线离开。</translation>
+    </message>
+    <message>
+        <source>Square to &amp;X</source>
+        <translation>垂直于 &amp;X</translation>
+    </message>
+    <message>
+        <source>Turn the plane square to the x axis; it stays where it is in the part.</source>
+        <translation>让平面垂直于 X 轴；它在零件中的位置不变。</translation>
+    </message>
+    <message>
+        <source>Square to &amp;Y</source>
+        <translation>垂直于 &amp;Y</translation>
+    </message>
+    <message>
+        <source>Turn the plane square to the y axis; it stays where it is in the part.</source>
+        <translation>让平面垂直于 Y 轴；它在零件中的位置不变。</translation>
+    </message>
+    <message>
+        <source>Square to &amp;Z</source>
+        <translation>垂直于 &amp;Z</translation>
+    </message>
+    <message>
+        <source>Turn the plane square to the z axis; it stays where it is in the part.</source>
+        <translation>让平面垂直于 Z 轴；它在零件中的位置不变。</translation>
+    </message>
+    <message>
+        <source>Through three &amp;points</source>
+        <translation>过三个点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Click three places that the plane shall run through. Esc leaves.</source>
+        <translation>点击平面要通过的三个位置。Esc 退出。</translation>
+    </message>
+    <message>
+        <source>On a &amp;face</source>
+        <translation>放到面上(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Click the face that the plane shall lie in. Esc leaves.</source>
+        <translation>点击平面要所在的面。Esc 退出。</translation>
+    </message>
+    <message>
+        <source>&amp;Guides</source>
+        <translation>引导(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Pin a point</source>
+        <translation>固定一个点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Click points of the part that shall lie on the parting plane. Esc leaves.</source>
+        <translation>点击零件上应位于分型面上的点。Esc 退出。</translation>
+    </message>
+    <message>
+        <source>Pin a point &amp;inside</source>
+        <translation>固定内部的点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Click to pin the point farthest inside below the pointer. Esc leaves.</source>
+        <translation>点击以固定指针下方最深的内部点。Esc 退出。</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest pins</source>
+        <translation>建议固定点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Look for points worth pinning: ends of limbs, where limbs meet, along the body.</source>
+        <translation>寻找值得固定的点：肢端、肢体交汇处、沿躯干。</translation>
+    </message>
+    <message>
+        <source>Accept &amp;tips</source>
+        <translation>接受肢端(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Pin all suggested points that are ends of limbs.</source>
+        <translation>固定所有属于肢端的建议点。</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the pin</source>
+        <translation>移除固定点(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove the pin that is chosen.</source>
+        <translation>移除选中的固定点。</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all pins</source>
+        <translation>移除所有固定点(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Remove all pins; the suggested ones stay.</source>
+        <translation>移除所有固定点；建议的点保留。</translation>
+    </message>
+    <message>
+        <source>Pins from a &amp;file…</source>
+        <translation>从文件读固定点(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Read pins from a JSON file, as the command line takes it.</source>
+        <translation>从 JSON 文件读取固定点，格式与命令行相同。</translation>
+    </message>
+    <message>
+        <source>Pins &amp;into a file…</source>
+        <translation>固定点写入文件(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Write all pins as JSON for the command line or another project.</source>
+        <translation>把所有固定点写成 JSON，供命令行或其他项目使用。</translation>
+    </message>
+    <message>
+        <source>&amp;Deform</source>
+        <translation>变形(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>运行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Bend the part until it leaves the mold, and prove it.</source>
+        <translation>弯曲零件直到它能脱模，并加以证明。</translation>
+    </message>
+    <message>
+        <source>Fi&amp;ll and run</source>
+        <translation>填充并运行(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Run, and fill the places that no bending frees.</source>
+        <translation>运行，并填充弯曲无法解开的地方。</translation>
+    </message>
+    <message>
+        <source>Find &amp;undercuts</source>
+        <translation>查找倒扣(&amp;U)</translation>
+    </message>
+    <message>
+        <source>List the undercuts at this plane, to have each one bent or filled.</source>
+        <translation>列出此平面的倒扣，逐个决定弯曲或填充。</translation>
+    </message>
+    <message>
+        <source>Fill or &amp;join here</source>
+        <translation>在此填充或连接(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Have what the chosen obstruction spans filled; Run bends the rest.</source>
+        <translation>填充所选障碍跨越之处；运行会弯曲其余部分。</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>完成(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Bend no further: finish the shape from where it is, and prove it.</source>
+        <translation>不再弯曲：从现状完成形状，并加以证明。</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Hold the shape where it is, or bend it further.</source>
+        <translation>让形状停住，或继续弯曲。</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>End the run; the shape it reached is kept.</source>
+        <translation>结束运行；保留已达到的形状。</translation>
+    </message>
+    <message>
+        <source>Restore original shape</source>
+        <translation>恢复原始形状</translation>
+    </message>
+    <message>
+        <source>Back to the undeformed part; the plane stays.</source>
+        <translation>回到未变形的零件；平面保留。</translation>
+    </message>
+    <message>
+        <source>&amp;Mold</source>
+        <translation>模具(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Build mold</source>
+        <translation>构建模具(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Make both mold halves around the cast, and prove that they come off.</source>
+        <translation>围绕铸件制作两个半模，并证明它们能脱开。</translation>
+    </message>
+    <message>
+        <source>&amp;Open or close the mold</source>
+        <translation>打开或合上模具(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Move the halves apart along their directions, or together.</source>
+        <translation>让半模沿其方向分开或合拢。</translation>
+    </message>
+    <message>
+        <source>&amp;Report</source>
+        <translation>报告(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Print report…</source>
+        <translation>打印报告(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Make a PDF with pictures, draft, volumes and the proof.</source>
+        <translation>生成包含图片、拔模角、体积和证明的 PDF。</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>窗口(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Use the light theme.</source>
+        <translation>使用浅色主题。</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>深色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Use the dark theme.</source>
+        <translation>使用深色主题。</translation>
+    </message>
+    <message>
+        <source>Like the desk&amp;top</source>
+        <translation>跟随桌面(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Follow the desktop&apos;s colours.</source>
+        <translation>跟随桌面的颜色。</translation>
+    </message>
+    <message>
+        <source>Go to Part</source>
+        <translation>到“零件”</translation>
+    </message>
+    <message>
+        <source>Go to the step Part.</source>
+        <translation>转到“零件”步骤。</translation>
+    </message>
+    <message>
+        <source>Go to Plane</source>
+        <translation>到“平面”</translation>
+    </message>
+    <message>
+        <source>Go to the step Plane.</source>
+        <translation>转到“平面”步骤。</translation>
+    </message>
+    <message>
+        <source>Go to Guides</source>
+        <translation>到“引导”</translation>
+    </message>
+    <message>
+        <source>Go to the step Guides.</source>
+        <translation>转到“引导”步骤。</translation>
+    </message>
+    <message>
+        <source>Go to Deform</source>
+        <translation>到“变形”</translation>
+    </message>
+    <message>
+        <source>Go to the step Deform.</source>
+        <translation>转到“变形”步骤。</translation>
+    </message>
+    <message>
+        <source>Go to Check</source>
+        <translation>到“检查”</translation>
+    </message>
+    <message>
+        <source>Go to the step Check.</source>
+        <translation>转到“检查”步骤。</translation>
+    </message>
+    <message>
+        <source>Go to Mold</source>
+        <translation>到“模具”</translation>
+    </message>
+    <message>
+        <source>Go to the step Mold.</source>
+        <translation>转到“模具”步骤。</translation>
+    </message>
+    <message>
+        <source>Go to Report</source>
+        <translation>到“报告”</translation>
+    </message>
+    <message>
+        <source>Go to the step Report.</source>
+        <translation>转到“报告”步骤。</translation>
+    </message>
+    <message>
+        <source>Next area</source>
+        <translation>下一个区域</translation>
+    </message>
+    <message>
+        <source>Move the keyboard to the next area of the window.</source>
+        <translation>把键盘移到窗口的下一个区域。</translation>
+    </message>
+    <message>
+        <source>Previous area</source>
+        <translation>上一个区域</translation>
+    </message>
+    <message>
+        <source>Move the keyboard to the previous area of the window.</source>
+        <translation>把键盘移到窗口的上一个区域。</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>重置布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they were at first.</source>
+        <translation>把所有面板放回最初的位置。</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>按键与鼠标(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show all keys on one sheet.</source>
+        <translation>在一页上显示所有按键。</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>导览(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Five steps from a part to its mold, at your own pace.</source>
+        <translation>从零件到模具的五个步骤，快慢由您。</translation>
+    </message>
+    <message>
+        <source>&amp;About Moldwright</source>
+        <translation>关于 Moldwright(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version, licence, libraries.</source>
+        <translation>版本、许可证、程序库。</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayMode</name>
+    <message>
+        <source>Undercuts</source>
+        <translation>倒扣</translation>
+    </message>
+    <message>
+        <source>Draft map</source>
+        <translation>拔模角图</translation>
+    </message>
+    <message>
+        <source>Undercut depth</source>
+        <translation>倒扣深度</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>应变</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>素色</translation>
+    </message>
+</context>
+<context>
+    <name>FacePaint</name>
+    <message>
+        <source>Undercuts</source>
+        <translation>倒扣</translation>
+    </message>
+    <message>
+        <source>Draft below %1</source>
+        <translation>拔模角低于 %1</translation>
+    </message>
+    <message>
+        <source>Draft %1 or more</source>
+        <translation>拔模角 %1 或以上</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>拔模角</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>低于 %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 到 %2</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>高于 %1</translation>
+    </message>
+    <message>
+        <source>mm, after best fit</source>
+        <translation>毫米，最佳拟合后</translation>
+    </message>
+    <message>
+        <source>%, both stretches together</source>
+        <translation>%，两个方向的拉伸合计</translation>
+    </message>
+    <message>
+        <source>mm along the removal direction</source>
+        <translation>毫米，沿脱模方向</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 或以上</translation>
+    </message>
+    <message>
+        <source>No undercut</source>
+        <translation>无倒扣</translation>
+    </message>
+    <message>
+        <source>Shown once the run has ended.</source>
+        <translation>运行结束后显示。</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>正在测量</translation>
+    </message>
+    <message>
+        <source>Needs a parting plane.</source>
+        <translation>需要分型面。</translation>
+    </message>
+    <message>
+        <source>Needs a cast: Run makes one.</source>
+        <translation>需要铸件：运行即可得到。</translation>
+    </message>
+    <message>
+        <source>The file is of an older version: run again.</source>
+        <translation>文件来自旧版本：请重新运行。</translation>
+    </message>
+    <message>
+        <source>Shown on the cast only.</source>
+        <translation>只在铸件上显示。</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>最大</translation>
+    </message>
+</context>
+<context>
+    <name>Guides</name>
+    <message>
+        <source>{0} could not be read.</source>
+        <translation>无法读取 {0}。</translation>
+    </message>
+    <message>
+        <source>{0} is not JSON: it goes wrong at byte {1}.</source>
+        <translation>{0} 不是 JSON：在第 {1} 字节处出错。</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;{1}&quot;.</source>
+        <translation>{0} 没有列表“{1}”。</translation>
+    </message>
+    <message>
+        <source>{0}: the &quot;faces&quot; of region {1} have to be numbers from 0 to {2}.</source>
+        <translation>{0}：区域 {1} 的 &quot;faces&quot; 必须是 0 到 {2} 的数字。</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} needs a &quot;centre&quot; of three numbers and a positive &quot;radius&quot;, or a list of &quot;faces&quot;.</source>
+        <translation>{0}：区域 {1} 需要由三个数字组成的 &quot;centre&quot; 和正的 &quot;radius&quot;，或一个 &quot;faces&quot; 列表。</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} has no face of the part in it.</source>
+        <translation>{0}：区域 {1} 中没有零件的面。</translation>
+    </message>
+    <message>
+        <source>{0}: the &quot;keep_within&quot; of region {1} has to be a positive number of millimetres.</source>
+        <translation>{0}：区域 {1} 的 &quot;keep_within&quot; 必须是正的毫米数。</translation>
+    </message>
+    <message>
+        <source>{0}: pin {1} needs a &quot;point&quot; of three numbers.</source>
+        <translation>{0}：固定点 {1} 需要由三个数字组成的 &quot;point&quot;。</translation>
+    </message>
+    <message>
+        <source>{0}: pin {1} lies {2} mm outside the part. Pins are in the part&apos;s millimetres, after --units, --scale or --size.</source>
+        <translation>{0}：固定点 {1} 在零件外 {2} mm 处。固定点以零件的毫米计，在 --units、--scale 或 --size 之后。</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536.</source>
+        <translation>{0}：区域 {1} 需要 1（与其余相同）到 65536 的 &quot;weight&quot;。</translation>
+    </message>
+</context>
+<context>
+    <name>Measurement</name>
+    <message>
+        <source>Draft %1</source>
+        <translation>拔模角 %1</translation>
+    </message>
+    <message>
+        <source>thickness %1</source>
+        <translation>厚度 %1</translation>
+    </message>
+    <message>
+        <source>On the section</source>
+        <translation>在剖面上</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>点 %1</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+</context>
+<context>
+    <name>MessageDelegate</name>
+    <message>
+        <source>Show me</source>
+        <translation>指给我看</translation>
+    </message>
+</context>
+<context>
+    <name>Mold</name>
+    <message>
+        <source>No mold can be built round this cast. {0} Finish the cast first.</source>
+        <translation>无法围绕此铸件构建模具。{0} 请先完成铸件。</translation>
+    </message>
+    <message>
+        <source>Building the mold was cancelled.</source>
+        <translation>模具的构建已取消。</translation>
+    </message>
+    <message>
+        <source>The parting face could not be built: the parting curves cross.</source>
+        <translation>无法构建分型面：分型曲线相交。</translation>
+    </message>
+    <message>
+        <source>The folder {0} could not be made: {1}.</source>
+        <translation>无法创建文件夹 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
+        <translation>无法生成 3MF 文件：lib3mf 未能 {0}。</translation>
+    </message>
+</context>
+<context>
+    <name>ObstructionWords</name>
+    <message>
+        <source>Pocket of air</source>
+        <translation>气穴</translation>
+    </message>
+    <message>
+        <source>Closed piece</source>
+        <translation>封闭块</translation>
+    </message>
+    <message>
+        <source>Handle or arch</source>
+        <translation>把手或拱</translation>
+    </message>
+    <message>
+        <source>Linked pieces</source>
+        <translation>相扣的块</translation>
+    </message>
+    <message>
+        <source>Steep faces</source>
+        <translation>过陡的面</translation>
+    </message>
+</context>
+<context>
+    <name>Pictures</name>
+    <message>
+        <source>Pictures cannot be drawn on this machine: OpenGL {0}.</source>
+        <translation>此计算机无法绘制图片：OpenGL {0}。</translation>
+    </message>
+</context>
+<context>
+    <name>PinPages</name>
+    <message>
+        <source>Pin %1</source>
+        <translation>固定点 %1</translation>
+    </message>
+    <message>
+        <source>Suggested</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>Ends of limbs, where limbs meet, and points along the body.</source>
+        <translation>肢端、肢体交汇处以及沿躯干的点。</translation>
+    </message>
+    <message>
+        <source>Shown at most</source>
+        <translation>最多显示</translation>
+    </message>
+    <message>
+        <source>The best ones at this plane; those taken are no longer shown.</source>
+        <translation>此平面下最好的点；已采用的不再显示。</translation>
+    </message>
+    <message>
+        <source>Ends of limbs</source>
+        <translation>肢端</translation>
+    </message>
+    <message>
+        <source>Click a faint ring in the view to take it.</source>
+        <translation>点击视图中的淡色圆环即可采用。</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>固定点</translation>
+    </message>
+    <message>
+        <source>Hold points of the part on the parting plane.</source>
+        <translation>把零件的点固定在分型面上。</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>手工设置</translation>
+    </message>
+    <message>
+        <source>No pins yet. Where limbs curl, pins at their ends unroll them.</source>
+        <translation>还没有固定点。肢体卷曲时，在其末端固定可把它展开。</translation>
+    </message>
+    <message>
+        <source>Farthest from the plane</source>
+        <translation>离平面最远</translation>
+    </message>
+    <message>
+        <source>All pins</source>
+        <translation>所有固定点</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Suggested pins</source>
+        <translation>建议的固定点</translation>
+    </message>
+    <message>
+        <source>Place in the part</source>
+        <translation>在零件中的位置</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>To the plane</source>
+        <translation>到平面</translation>
+    </message>
+    <message>
+        <source>How far a run has to draw it, along the plane&apos;s normal.</source>
+        <translation>运行须沿平面法线把它拉多远。</translation>
+    </message>
+    <message>
+        <source>%1 to the plane</source>
+        <translation>到平面 %1</translation>
+    </message>
+</context>
+<context>
+    <name>Presentation</name>
+    <message>
+        <source>No pins</source>
+        <translation>无固定点</translation>
+    </message>
+    <message>
+        <source>1 pin</source>
+        <translation>1 个固定点</translation>
+    </message>
+    <message>
+        <source>%1 pins</source>
+        <translation>%1 个固定点</translation>
+    </message>
+    <message>
+        <source>Found by the run</source>
+        <translation>由运行找到</translation>
+    </message>
+    <message>
+        <source>Not chosen yet</source>
+        <translation>尚未选择</translation>
+    </message>
+    <message>
+        <source>Number %1 of %2</source>
+        <translation>第 %1 个，共 %2 个</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>已选择</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>已暂停</translation>
+    </message>
+    <message>
+        <source>Running, step %1</source>
+        <translation>运行中，第 %1 步</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>Obstructed</source>
+        <translation>受阻</translation>
+    </message>
+    <message>
+        <source>Ready to run</source>
+        <translation>可以运行</translation>
+    </message>
+    <message>
+        <source>Not started</source>
+        <translation>未开始</translation>
+    </message>
+    <message>
+        <source>Not castable yet</source>
+        <translation>尚不可铸造</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>已过时</translation>
+    </message>
+    <message>
+        <source>Waits for Deform</source>
+        <translation>等待变形</translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation>正在检查</translation>
+    </message>
+    <message>
+        <source>Proved at %1</source>
+        <translation>已证明 %1</translation>
+    </message>
+    <message>
+        <source>Not proved</source>
+        <translation>未证明</translation>
+    </message>
+    <message>
+        <source>Proved</source>
+        <translation>已证明</translation>
+    </message>
+    <message>
+        <source>%1 to level</source>
+        <translation>与水平成 %1</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 个面</translation>
+    </message>
+    <message>
+        <source>Parting plane</source>
+        <translation>分型面</translation>
+    </message>
+    <message>
+        <source>Direction %1</source>
+        <translation>方向 %1</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>变形</translation>
+    </message>
+    <message>
+        <source>will be filled</source>
+        <translation>将被填充</translation>
+    </message>
+    <message>
+        <source>Cast</source>
+        <translation>铸件</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>模具</translation>
+    </message>
+    <message>
+        <source>Half %1</source>
+        <translation>半模 %1</translation>
+    </message>
+    <message>
+        <source>%1, closed</source>
+        <translation>%1，封闭</translation>
+    </message>
+    <message>
+        <source>Ready to print</source>
+        <translation>可以打印</translation>
+    </message>
+    <message>
+        <source>No part open</source>
+        <translation>没有打开零件</translation>
+    </message>
+    <message>
+        <source>Open a mesh or a sample</source>
+        <translation>请打开网格或示例</translation>
+    </message>
+    <message>
+        <source>Castable and opens</source>
+        <translation>可铸造且可开模</translation>
+    </message>
+    <message>
+        <source>Cast and halves proved at %1 draft</source>
+        <translation>铸件与半模已证明拔模角 %1</translation>
+    </message>
+    <message>
+        <source>Castable</source>
+        <translation>可铸造</translation>
+    </message>
+    <message>
+        <source>Proved at %1 draft, %2 required</source>
+        <translation>已证明拔模角 %1，要求 %2</translation>
+    </message>
+    <message>
+        <source>Cannot be cast yet</source>
+        <translation>还不能铸造</translation>
+    </message>
+    <message>
+        <source>One obstruction at this plane</source>
+        <translation>此平面有一处障碍</translation>
+    </message>
+    <message>
+        <source>%1 obstructions at this plane</source>
+        <translation>此平面有 %1 处障碍</translation>
+    </message>
+    <message>
+        <source>Measuring the draft</source>
+        <translation>正在测量拔模角</translation>
+    </message>
+    <message>
+        <source>%1 of the surface below %2</source>
+        <translation>%1 的表面低于 %2</translation>
+    </message>
+    <message>
+        <source>No undercut seen; Run proves it</source>
+        <translation>未见倒扣；运行加以证明</translation>
+    </message>
+    <message>
+        <source>Part as opened</source>
+        <translation>打开时的零件</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>正在开始</translation>
+    </message>
+    <message>
+        <source>Step %1, paused</source>
+        <translation>第 %1 步，已暂停</translation>
+    </message>
+    <message>
+        <source>Step %1, live</source>
+        <translation>第 %1 步，实时</translation>
+    </message>
+</context>
+<context>
+    <name>Project</name>
+    <message>
+        <source>The project file could not be put together.</source>
+        <translation>无法组成项目文件。</translation>
+    </message>
+    <message>
+        <source>The evaluation was cancelled.</source>
+        <translation>评估已取消。</translation>
+    </message>
+    <message>
+        <source>{0} is damaged: its part {1} is missing or cannot be read. Open an older copy of the project.</source>
+        <translation>{0} 已损坏：其中的 {1} 部分缺失或无法读取。请打开项目的较早副本。</translation>
+    </message>
+    <message>
+        <source>{0} was saved by a newer Moldwright. A program that reads format {1} is needed; this one reads up to {2}.</source>
+        <translation>{0} 由更新的 Moldwright 保存。需要能读取格式 {1} 的程序；本程序最多读取到 {2}。</translation>
+    </message>
+    <message>
+        <source>{0} is not a Moldwright project.</source>
+        <translation>{0} 不是 Moldwright 项目。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be opened: {1}.</source>
+        <translation>无法打开 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>{0} is too large for a project file.</source>
+        <translation>{0} 作为项目文件太大。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read.</source>
+        <translation>无法读取 {0}。</translation>
+    </message>
+</context>
+<context>
+    <name>PropertyPages</name>
+    <message>
+        <source>Goal</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Draft required</source>
+        <translation>要求的拔模角</translation>
+    </message>
+    <message>
+        <source>The least angle between the surface and the direction its half leaves in.</source>
+        <translation>表面与其半模离开方向之间的最小角度。</translation>
+    </message>
+    <message>
+        <source>Best for the plane</source>
+        <translation>对平面最佳</translation>
+    </message>
+    <message>
+        <source>Along the normal</source>
+        <translation>沿法线</translation>
+    </message>
+    <message>
+        <source>As they are</source>
+        <translation>保持现状</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>How the removal directions are chosen.</source>
+        <translation>脱模方向如何选择。</translation>
+    </message>
+    <message>
+        <source>Tilt limit</source>
+        <translation>倾斜上限</translation>
+    </message>
+    <message>
+        <source>How far a direction may lean from the plane&apos;s normal.</source>
+        <translation>方向最多可偏离平面法线多少。</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>The axis that the press pulls along: both directions keep to it.</source>
+        <translation>压机拉动的轴：两个方向都遵守它。</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>That of direction 1</source>
+        <translation>方向 1 的轴</translation>
+    </message>
+    <message>
+        <source>Off the axis</source>
+        <translation>偏离轴</translation>
+    </message>
+    <message>
+        <source>How far a direction may lean from the axis; 0 holds it there.</source>
+        <translation>方向最多可偏离该轴多少；0 表示不偏离。</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>零件</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Longest side</source>
+        <translation>最长边</translation>
+    </message>
+    <message>
+        <source>Scales the whole part.</source>
+        <translation>缩放整个零件。</translation>
+    </message>
+    <message>
+        <source>Place of its middle</source>
+        <translation>中心的位置</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>尺寸，mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>面数</translation>
+    </message>
+    <message>
+        <source>%1 below %2</source>
+        <translation>%1 低于 %2</translation>
+    </message>
+    <message>
+        <source>Worst draft %1</source>
+        <translation>最小拔模角 %1</translation>
+    </message>
+    <message>
+        <source>Directions tilted by %1 and %2, %3 of the volume on the smaller side</source>
+        <translation>方向倾斜 %1 和 %2，较小一侧占体积的 %3</translation>
+    </message>
+    <message>
+        <source>Planes found, best first</source>
+        <translation>找到的平面，最好的在前</translation>
+    </message>
+    <message>
+        <source>Parting plane</source>
+        <translation>分型面</translation>
+    </message>
+    <message>
+        <source>Drag its grips in the view, or type here.</source>
+        <translation>在视图中拖动把手，或在此输入。</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the origin along its normal.</source>
+        <translation>平面沿其法线到原点的距离。</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>最小拔模角</translation>
+    </message>
+    <message>
+        <source>Area below</source>
+        <translation>低于的面积</translation>
+    </message>
+    <message>
+        <source>Direction 1</source>
+        <translation>方向 1</translation>
+    </message>
+    <message>
+        <source>Angle to the plane&apos;s normal.</source>
+        <translation>与平面法线的角度。</translation>
+    </message>
+    <message>
+        <source>Direction 2</source>
+        <translation>方向 2</translation>
+    </message>
+    <message>
+        <source>Sharpest crease</source>
+        <translation>最锐的折痕</translation>
+    </message>
+    <message>
+        <source>At the parting line, where the directions are not parallel.</source>
+        <translation>在分型线处，两个方向不平行时产生。</translation>
+    </message>
+    <message>
+        <source>Direction %1</source>
+        <translation>方向 %1</translation>
+    </message>
+    <message>
+        <source>Drag the arrow&apos;s tip in the view, or type here.</source>
+        <translation>在视图中拖动箭头尖，或在此输入。</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>倾斜</translation>
+    </message>
+    <message>
+        <source>Leans towards</source>
+        <translation>倾向</translation>
+    </message>
+    <message>
+        <source>The way it leans, counted in the plane. Without tilt it says nothing.</source>
+        <translation>倾斜的朝向，在平面内计。没有倾斜时无意义。</translation>
+    </message>
+    <message>
+        <source>X, Y, Z</source>
+        <translation>X, Y, Z</translation>
+    </message>
+    <message>
+        <source>While it runs</source>
+        <translation>运行时</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>变形</translation>
+    </message>
+    <message>
+        <source>Bends the part until both halves come off.</source>
+        <translation>弯曲零件，直到两个半模都能脱开。</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>How the shape is bent.</source>
+        <translation>形状如何弯曲。</translation>
+    </message>
+    <message>
+        <source>Elastic, then finish</source>
+        <translation>弹性，然后完成</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>按论文</translation>
+    </message>
+    <message>
+        <source>Where bending fails</source>
+        <translation>弯曲失败处</translation>
+    </message>
+    <message>
+        <source>What becomes of places that no bending frees: told as an obstruction, or filled.</source>
+        <translation>弯曲无法解开之处如何处理：报告为障碍，或填充。</translation>
+    </message>
+    <message>
+        <source>Leave as it is</source>
+        <translation>保持原样</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>能量</translation>
+    </message>
+    <message>
+        <source>Mean distance</source>
+        <translation>平均距离</translation>
+    </message>
+    <message>
+        <source>To the part, over its diagonal, after the best rigid fit.</source>
+        <translation>到零件的距离除以其对角线，最佳刚性拟合后。</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>X, Y, Z, mm</source>
+        <translation>X, Y, Z, mm</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧</translation>
+    </message>
+    <message>
+        <source>What helps</source>
+        <translation>解决办法</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>模具</translation>
+    </message>
+    <message>
+        <source>Two halves around the cast.</source>
+        <translation>围绕铸件的两个半模。</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>模块</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁厚</translation>
+    </message>
+    <message>
+        <source>Steel between the cavity and each side face.</source>
+        <translation>型腔与各侧面之间的钢材。</translation>
+    </message>
+    <message>
+        <source>Over half 1</source>
+        <translation>半模 1 之上</translation>
+    </message>
+    <message>
+        <source>Steel over the cavity of half 1.</source>
+        <translation>半模 1 型腔之上的钢材。</translation>
+    </message>
+    <message>
+        <source>Under half 2</source>
+        <translation>半模 2 之下</translation>
+    </message>
+    <message>
+        <source>Steel under the cavity of half 2.</source>
+        <translation>半模 2 型腔之下的钢材。</translation>
+    </message>
+    <message>
+        <source>Half 1, mm</source>
+        <translation>半模 1，mm</translation>
+    </message>
+    <message>
+        <source>Half 2, mm</source>
+        <translation>半模 2，mm</translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>型腔</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>两个半模</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>最薄钢材</translation>
+    </message>
+    <message>
+        <source>Comes off</source>
+        <translation>可脱开</translation>
+    </message>
+    <message>
+        <source>Cast</source>
+        <translation>铸件</translation>
+    </message>
+    <message>
+        <source>What will come out of the mold.</source>
+        <translation>将从模具中出来的东西。</translation>
+    </message>
+    <message>
+        <source>Castability</source>
+        <translation>可铸造性</translation>
+    </message>
+    <message>
+        <source>Self-intersections</source>
+        <translation>自相交</translation>
+    </message>
+    <message>
+        <source>Parting curve</source>
+        <translation>分型曲线</translation>
+    </message>
+    <message>
+        <source>Proved</source>
+        <translation>已证明</translation>
+    </message>
+    <message>
+        <source>Kept from the part</source>
+        <translation>与零件相比</translation>
+    </message>
+    <message>
+        <source>Over the part&apos;s diagonal, after the best rigid fit.</source>
+        <translation>除以零件对角线，最佳刚性拟合后。</translation>
+    </message>
+    <message>
+        <source>Filled</source>
+        <translation>已填充</translation>
+    </message>
+    <message>
+        <source>What was filled in where no bending helps, over the part&apos;s volume.</source>
+        <translation>在弯曲无用处填入的部分，占零件体积。</translation>
+    </message>
+    <message>
+        <source>Shortest limb</source>
+        <translation>最短的肢体</translation>
+    </message>
+    <message>
+        <source>Length, cast over part.</source>
+        <translation>长度，铸件比零件。</translation>
+    </message>
+    <message>
+        <source>no limbs</source>
+        <translation>没有肢体</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>有</translation>
+    </message>
+    <message>
+        <source>simple</source>
+        <translation>简单</translation>
+    </message>
+    <message>
+        <source>crosses itself</source>
+        <translation>自相交</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>已过时</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>已证明</translation>
+    </message>
+    <message>
+        <source>Turn direction %1</source>
+        <translation>转动方向 %1</translation>
+    </message>
+    <message>
+        <source>Scale the part</source>
+        <translation>缩放零件</translation>
+    </message>
+    <message>
+        <source>Move the part</source>
+        <translation>移动零件</translation>
+    </message>
+    <message>
+        <source>Move the plane</source>
+        <translation>移动平面</translation>
+    </message>
+    <message>
+        <source>Change the deformation&apos;s settings</source>
+        <translation>更改变形设置</translation>
+    </message>
+    <message>
+        <source>Change the block</source>
+        <translation>更改模块</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Goat head</source>
+        <translation>山羊头</translation>
+    </message>
+    <message>
+        <source>Curled horns, an eye worth keeping</source>
+        <translation>弯曲的角，值得保留的眼睛</translation>
+    </message>
+    <message>
+        <source>Sitting rabbit</source>
+        <translation>坐兔</translation>
+    </message>
+    <message>
+        <source>Ears that lean apart</source>
+        <translation>分开的双耳</translation>
+    </message>
+    <message>
+        <source>Standing goat</source>
+        <translation>站立的山羊</translation>
+    </message>
+    <message>
+        <source>Four legs, two horns, one plane</source>
+        <translation>四条腿、两只角、一个平面</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>Which plane suits the fingers?</source>
+        <translation>哪个平面适合手指？</translation>
+    </message>
+    <message>
+        <source>Fish</source>
+        <translation>鱼</translation>
+    </message>
+    <message>
+        <source>Keep the curve of the tail fin</source>
+        <translation>保留尾鳍的曲线</translation>
+    </message>
+    <message>
+        <source>Bent beam</source>
+        <translation>弯梁</translation>
+    </message>
+    <message>
+        <source>Sharp corners, exact flanges</source>
+        <translation>锐利的棱角，精确的翼缘</translation>
+    </message>
+    <message>
+        <source>Door knob</source>
+        <translation>门把手</translation>
+    </message>
+    <message>
+        <source>A neck that locks in any mold</source>
+        <translation>在任何模具中都会卡住的颈部</translation>
+    </message>
+    <message>
+        <source>Praline</source>
+        <translation>夹心糖</translation>
+    </message>
+    <message>
+        <source>Flat back, castable as it is</source>
+        <translation>平背，本身即可铸造</translation>
+    </message>
+</context>
+<context>
+    <name>UndercutPages</name>
+    <message>
+        <source>Undercut %1</source>
+        <translation>倒扣 %1</translation>
+    </message>
+    <message>
+        <source>fill, %1</source>
+        <translation>填充，%1</translation>
+    </message>
+    <message>
+        <source>bend, %1</source>
+        <translation>弯曲，%1</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>倒扣</translation>
+    </message>
+    <message>
+        <source>What a half cannot leave at this plane, region by region.</source>
+        <translation>在此平面半模无法离开的部分，逐区列出。</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Not to be bent</source>
+        <translation>不可弯曲</translation>
+    </message>
+    <message>
+        <source>Regions that no bending frees.</source>
+        <translation>弯曲无法解开的区域。</translation>
+    </message>
+    <message>
+        <source>To fill all</source>
+        <translation>全部填充</translation>
+    </message>
+    <message>
+        <source>No bending frees it: have it filled, or move the plane.</source>
+        <translation>弯曲无法解开：请填充，或移动平面。</translation>
+    </message>
+    <message>
+        <source>Bending frees it. Filled, what lies about it stays as it is.</source>
+        <translation>弯曲可解开。填充则周围保持原样。</translation>
+    </message>
+    <message>
+        <source>Filling it joins pieces of the part that are apart.</source>
+        <translation>填充会把分开的块连在一起。</translation>
+    </message>
+    <message>
+        <source>What becomes of it</source>
+        <translation>如何处理</translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation>处理</translation>
+    </message>
+    <message>
+        <source>By the rule: as the page of Deform says for all.</source>
+        <translation>按规则：与“变形”页对全部的规定相同。</translation>
+    </message>
+    <message>
+        <source>By the rule</source>
+        <translation>按规则</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>弯曲</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>X, Y, Z, mm</source>
+        <translation>X, Y, Z, mm</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧</translation>
+    </message>
+    <message>
+        <source>To fill</source>
+        <translation>要填充</translation>
+    </message>
+    <message>
+        <source>What filling it takes, over the part&apos;s volume.</source>
+        <translation>填充所需，占零件体积。</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>两侧</translation>
+    </message>
+</context>
+<context>
+    <name>design</name>
+    <message>
+        <source>Filling would join pieces of the part that are apart. Allow it, take them apart further, or give another plane.</source>
+        <translation>填充会把零件分开的块连在一起。请允许它、把它们分得更开，或给出另一个平面。</translation>
+    </message>
+    <message>
+        <source>The pins draw the part through itself at ({0}, {1}, {2}). Leave one of them out, or give another plane.</source>
+        <translation>固定点使零件在 ({0}, {1}, {2}) 处穿过自身。请去掉其中一个，或给出另一个平面。</translation>
+    </message>
+    <message>
+        <source>Undercuts were chosen to be filled or bent, and no plane was given: which undercuts there are depends on it. Give a plane too.</source>
+        <translation>已选定要填充或弯曲的倒扣，但没有给出平面：有哪些倒扣取决于平面。请同时给出平面。</translation>
+    </message>
+    <message>
+        <source>No direction within {0}° of the axis leaves the plane within {1}° of its normal. Turn the plane towards the axis, or allow more.</source>
+        <translation>在轴的 {0}° 之内没有方向能以距法线 {1}° 之内离开平面。请把平面转向该轴，或放宽限制。</translation>
+    </message>
+    <message>
+        <source>The design was cancelled.</source>
+        <translation>设计已取消。</translation>
+    </message>
+    <message>
+        <source>The undercut near {0} is to be bent, and no bending frees it. Have it filled, or move the plane.</source>
+        <translation>{0} 附近的倒扣要弯曲，但弯曲无法解开它。请填充它，或移动平面。</translation>
+    </message>
+    <message>
+        <source>A piece of {2} mm spans another piece on side {0}, near {1}: they hang in one another, and no half can leave between them. Take them apart, or have them merged.</source>
+        <translation>一个 {2} mm 的块在第 {0} 侧 {1} 附近跨过另一个块：它们彼此相扣，没有半模能从中离开。请把它们分开，或合并。</translation>
+    </message>
+    <message>
+        <source>A closed piece of {2} mm lies wholly on side {0}, near {1}: it never meets the parting plane. Move the plane through it.</source>
+        <translation>一个 {2} mm 的封闭块完全在第 {0} 侧，{1} 附近：它不与分型面相交。请让平面穿过它。</translation>
+    </message>
+    <message>
+        <source>A handle of {2} mm stands on side {0}, near {1}: the mold cannot leave its hole. Move the plane through the hole, or fill it.</source>
+        <translation>一个 {2} mm 的把手在第 {0} 侧，{1} 附近：模具无法离开它的孔。请让平面穿过孔，或填充它。</translation>
+    </message>
+    <message>
+        <source>An arch of {2} mm spans a gap on side {0}, near {1}: the mold under it cannot leave. Move the plane, or fill the gap.</source>
+        <translation>一个 {2} mm 的拱在第 {0} 侧 {1} 附近跨过空隙：其下的模具无法离开。请移动平面，或填充空隙。</translation>
+    </message>
+    <message>
+        <source>A pocket of air of {2} mm lies on side {0}, near {1}: the mold in it cannot leave. Move the plane, or fill the pocket.</source>
+        <translation>一个 {2} mm 的气穴在第 {0} 侧，{1} 附近：其中的模具无法离开。请移动平面，或填充气穴。</translation>
+    </message>
+    <message>
+        <source>The parting line could not be inserted without the surface crossing itself.</source>
+        <translation>无法插入分型线而不使表面自相交。</translation>
+    </message>
+    <message>
+        <source>A pinned point of the surface could not be made a point of the parting line. Pin a point inside the part instead.</source>
+        <translation>表面上的一个固定点无法成为分型线的点。请改为固定零件内部的点。</translation>
+    </message>
+    <message>
+        <source>Move the plane by {0} mm towards side {1}: nothing is in the way there.</source>
+        <translation>把平面向第 {1} 侧移动 {0} mm：那里没有阻碍。</translation>
+    </message>
+    <message>
+        <source>Part it square to ({0}, {1}, {2}), {3} mm from the origin, instead: nothing is in the way there.</source>
+        <translation>改为垂直于 ({0}, {1}, {2})、距原点 {3} mm 处分型：那里没有阻碍。</translation>
+    </message>
+    <message>
+        <source>Have it joined to the piece beside it: that fills in {0} cm³, {1} % of the part.</source>
+        <translation>让它与旁边的块相连：填入 {0} cm³，占零件的 {1} %。</translation>
+    </message>
+    <message>
+        <source>Fill it: that takes {0} cm³, {1} % of the part.</source>
+        <translation>填充它：需要 {0} cm³，占零件的 {1} %。</translation>
+    </message>
+    <message>
+        <source>Pin the point {0} to the plane, {1} mm away, so that the plane runs through it.</source>
+        <translation>把 {1} mm 外的点 {0} 固定到平面，使平面通过它。</translation>
+    </message>
+</context>
+<context>
+    <name>exchange</name>
+    <message>
+        <source>{0} could not be written: {1}.</source>
+        <translation>无法写入 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>There is no file {0}.</source>
+        <translation>没有文件 {0}。</translation>
+    </message>
+    <message>
+        <source>{0} is a folder, not a mesh file.</source>
+        <translation>{0} 是文件夹，不是网格文件。</translation>
+    </message>
+    <message>
+        <source>{0} is not a plain file.</source>
+        <translation>{0} 不是普通文件。</translation>
+    </message>
+    <message>
+        <source>{0} could not be read: {1}.</source>
+        <translation>无法读取 {0}：{1}。</translation>
+    </message>
+    <message>
+        <source>The worker program&apos;s answer is incomplete.</source>
+        <translation>工作程序的回答不完整。</translation>
+    </message>
+    <message>
+        <source>{0} is an empty file.</source>
+        <translation>{0} 是空文件。</translation>
+    </message>
+    <message>
+        <source>{0} is in no format that Moldwright reads: STL, OBJ, PLY or OFF.</source>
+        <translation>{0} 不是 Moldwright 能读取的格式：STL、OBJ、PLY 或 OFF。</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: “{2}” is not understood in the header of a PLY file of version 1.0.</source>
+        <translation>{0}，第 {1} 行：在 1.0 版 PLY 文件头中不能理解“{2}”。</translation>
+    </message>
+    <message>
+        <source>{0} ends within its header: the line “end_header” is missing.</source>
+        <translation>{0} 在文件头中结束：缺少“end_header”行。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face&apos;s corner is “{2}”, not the number of a point from 1 on.</source>
+        <translation>{0}，{1}：面的角是“{2}”，而不是从 1 起的点编号。</translation>
+    </message>
+    <message>
+        <source>{0} is not an OBJ file: it holds binary data.</source>
+        <translation>{0} 不是 OBJ 文件：它含二进制数据。</translation>
+    </message>
+    <message>
+        <source>{0} ends too early: after {1} of {2} points and {3} of {4} faces.</source>
+        <translation>{0} 结束得太早：{2} 个点中有 {1} 个，{4} 个面中有 {3} 个。</translation>
+    </message>
+    <message>
+        <source>{0} holds points of other than three dimensions.</source>
+        <translation>{0} 含有非三维的点。</translation>
+    </message>
+    <message>
+        <source>{0} is a binary OFF file; only OFF in text is read.</source>
+        <translation>{0} 是二进制 OFF 文件；只读取文本 OFF。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: here should stand how many points and faces there are, not “{2}”.</source>
+        <translation>{0}，{1}：这里应写明点数和面数，而不是“{2}”。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face of {2} corners needs as many numbers of points. The file may be cut off.</source>
+        <translation>{0}，{1}：有 {2} 个角的面需要同样多的点编号。文件可能被截断。</translation>
+    </message>
+    <message>
+        <source>What follows the last face was ignored.</source>
+        <translation>最后一个面之后的内容已忽略。</translation>
+    </message>
+    <message>
+        <source>{0} spare bytes at the end were ignored.</source>
+        <translation>末尾多余的 {0} 个字节已忽略。</translation>
+    </message>
+    <message>
+        <source>{0} holds its surface as tristrips (strips of triangles). Save it with plain faces.</source>
+        <translation>{0} 以三角带保存表面。请以普通面保存。</translation>
+    </message>
+    <message>
+        <source>{0} announces {1} times “{2}” but is too short to hold them.</source>
+        <translation>{0} 声明有 {1} 个“{2}”，但太短容不下。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a number is missing here, not finite, or not a number. The file may be cut off.</source>
+        <translation>{0}，{1}：这里缺少数字，或不是有限的数。文件可能被截断。</translation>
+    </message>
+    <message>
+        <source>{0} is not a PLY file: it does not begin with “ply”.</source>
+        <translation>{0} 不是 PLY 文件：它不以“ply”开头。</translation>
+    </message>
+    <message>
+        <source>{0} announces {1} triangles but holds {2}. It is damaged, or not an STL file.</source>
+        <translation>{0} 声明 {1} 个三角形，却含有 {2} 个。它已损坏，或不是 STL 文件。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a facet ends too early. The file may be cut off.</source>
+        <translation>{0}，{1}：一个面片结束得太早。文件可能被截断。</translation>
+    </message>
+    <message>
+        <source>{0} is not an STL file: it is text that does not begin with “solid”.</source>
+        <translation>{0} 不是 STL 文件：它是不以“solid”开头的文本。</translation>
+    </message>
+    <message>
+        <source>{0} is {1} bytes long, too short for an STL file.</source>
+        <translation>{0} 只有 {1} 字节，作为 STL 文件太短。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a point needs three numbers, but the line ends early.</source>
+        <translation>{0}，{1}：点需要三个数字，但该行结束得太早。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a point needs three finite numbers, but here stands “{2}”.</source>
+        <translation>{0}，{1}：点需要三个有限的数字，但这里是“{2}”。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a coordinate is not a finite number.</source>
+        <translation>{0}，{1}：坐标不是有限的数。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face uses point {2}, which does not exist.</source>
+        <translation>{0}，{1}：一个面用到不存在的点 {2}。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face has {2} corners; 3 to {3} are possible.</source>
+        <translation>{0}，{1}：一个面有 {2} 个角；只能有 3 到 {3} 个。</translation>
+    </message>
+    <message>
+        <source>{0} holds no triangles.</source>
+        <translation>{0} 不含三角形。</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} points but no faces.</source>
+        <translation>{0} 含 {1} 个点，但没有面。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: a face uses point {2}, counted from 0, but there are only {3}.</source>
+        <translation>{0}，{1}：一个面用到从 0 数起的点 {2}，但只有 {3} 个点。</translation>
+    </message>
+    <message>
+        <source>TetGen found no inside to fill.</source>
+        <translation>TetGen 没有找到可填充的内部。</translation>
+    </message>
+    <message>
+        <source>TetGen&apos;s answer does not keep the points of the surface.</source>
+        <translation>TetGen 的回答没有保留表面的点。</translation>
+    </message>
+    <message>
+        <source>TetGen left out a point inside the surface.</source>
+        <translation>TetGen 漏掉了表面内的一个点。</translation>
+    </message>
+    <message>
+        <source>TetGen&apos;s answer holds a flat tetrahedron.</source>
+        <translation>TetGen 的回答含有扁平的四面体。</translation>
+    </message>
+    <message>
+        <source>TetGen&apos;s answer fills {0} of the surface&apos;s volume of {1}.</source>
+        <translation>TetGen 的回答只填充了表面体积 {1} 中的 {0}。</translation>
+    </message>
+    <message>
+        <source>TetGen split {0} of the {1} faces of the surface.</source>
+        <translation>TetGen 分割了表面 {1} 个面中的 {0} 个。</translation>
+    </message>
+    <message>
+        <source>Stopped before the end.</source>
+        <translation>在结束前停止。</translation>
+    </message>
+    <message>
+        <source>The worker program was stopped after {0} seconds. A smaller mesh needs less time.</source>
+        <translation>工作程序在 {0} 秒后被停止。较小的网格需要的时间更少。</translation>
+    </message>
+    <message>
+        <source>The worker program&apos;s answer is larger than its limit of {0} MB.</source>
+        <translation>工作程序的回答超过了 {0} MB 的限制。</translation>
+    </message>
+    <message>
+        <source>The worker program was killed. The computer may be out of memory.</source>
+        <translation>工作程序被终止。计算机可能内存不足。</translation>
+    </message>
+    <message>
+        <source>The worker program crashed on this mesh (signal {0}).</source>
+        <translation>工作程序在此网格上崩溃（信号 {0}）。</translation>
+    </message>
+    <message>
+        <source>The worker program ended without an answer (code {0}).</source>
+        <translation>工作程序没有回答就结束了（代码 {0}）。</translation>
+    </message>
+    <message>
+        <source>The worker program {0} could not be started: {1}.</source>
+        <translation>无法启动工作程序 {0}：{1}。</translation>
+    </message>
+</context>
+<context>
+    <name>fill</name>
+    <message>
+        <source>Filling was cancelled.</source>
+        <translation>填充已取消。</translation>
+    </message>
+    <message>
+        <source>The undercuts could not be filled without the surface crossing itself. Move the parting plane a little.</source>
+        <translation>无法填充倒扣而不使表面自相交。请稍微移动分型面。</translation>
+    </message>
+    <message>
+        <source>These regions cannot be filled alone: the surface would cross itself. Fill the regions beside them too.</source>
+        <translation>这些区域不能单独填充：表面会自相交。请也填充旁边的区域。</translation>
+    </message>
+</context>
+<context>
+    <name>mesh</name>
+    <message>
+        <source>{0} equal points were welded.</source>
+        <translation>已焊接 {0} 个相同的点。</translation>
+    </message>
+    <message>
+        <source>{0} faces that used a point twice were removed.</source>
+        <translation>已移除 {0} 个两次使用同一点的面。</translation>
+    </message>
+    <message>
+        <source>{0} repeated faces were removed.</source>
+        <translation>已移除 {0} 个重复的面。</translation>
+    </message>
+    <message>
+        <source>{0} points within a millionth of the size of each other were welded.</source>
+        <translation>已焊接相距不到尺寸百万分之一的 {0} 个点。</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and was turned.</source>
+        <translation>表面内外颠倒，已翻转。</translation>
+    </message>
+    <message>
+        <source>{0} faces looked inward and were turned.</source>
+        <translation>{0} 个面朝内，已翻转。</translation>
+    </message>
+    <message>
+        <source>{0} holds no faces.</source>
+        <translation>{0} 不含面。</translation>
+    </message>
+    <message>
+        <source>{0} holds a coordinate that is not a finite number.</source>
+        <translation>{0} 含有非有限数的坐标。</translation>
+    </message>
+    <message>
+        <source>{0} measures {1} from corner to corner. No unit of length makes a part of that.</source>
+        <translation>{0} 的对角尺寸为 {1}。没有任何长度单位能使其成为零件。</translation>
+    </message>
+    <message>
+        <source>{0} of the {1} faces of {2} shrink to a line or a point. Its numbers have too few digits for its size or its place: write it with more digits, or nearer to the origin.</source>
+        <translation>{2} 的 {1} 个面中有 {0} 个缩成线或点。相对于其大小或位置，数字的位数太少：请以更多位数写出，或更靠近原点。</translation>
+    </message>
+    <message>
+        <source>{0} consists of {1} separate solids.</source>
+        <translation>{0} 由 {1} 个分开的实体组成。</translation>
+    </message>
+    <message>
+        <source>{0} encloses no volume, so there is nothing to cast.</source>
+        <translation>{0} 不包围任何体积，因此没有可铸造的东西。</translation>
+    </message>
+    <message>
+        <source>The surface of {0} has a hole, near {2}, so it has no inside to cast. Close it in the program that made the file.</source>
+        <translation>{0} 的表面在 {2} 附近有一个孔，因此没有可铸造的内部。请在制作该文件的程序中封闭它。</translation>
+    </message>
+    <message>
+        <source>The surface of {0} has {1} holes, one near {2}, so it has no inside to cast. Close them in the program that made the file.</source>
+        <translation>{0} 的表面有 {1} 个孔，其一在 {2} 附近，因此没有可铸造的内部。请在制作该文件的程序中封闭它们。</translation>
+    </message>
+    <message>
+        <source>In {0} more than two faces meet at an edge: {1} faces are concerned, one near {2}. Separate the parts, or join them, in the program that made the file.</source>
+        <translation>{0} 中有多于两个面在一条边相交：涉及 {1} 个面，其一在 {2} 附近。请在制作该文件的程序中把各部分分开或连接。</translation>
+    </message>
+    <message>
+        <source>The surface of {0} touches itself in a single point, at {2}. Separate it there in the program that made the file.</source>
+        <translation>{0} 的表面在 {2} 处单点接触自身。请在制作该文件的程序中分开。</translation>
+    </message>
+    <message>
+        <source>The surface of {0} touches itself in {1} single points, one at {2}. Separate it there in the program that made the file.</source>
+        <translation>{0} 的表面在 {1} 个单点接触自身，其一在 {2}。请在制作该文件的程序中分开。</translation>
+    </message>
+    <message>
+        <source>A face of {0} has no area, near {2}. Clean the mesh in the program that made the file.</source>
+        <translation>{0} 的一个面没有面积，在 {2} 附近。请在制作该文件的程序中清理网格。</translation>
+    </message>
+    <message>
+        <source>{1} faces of {0} have no area, one near {2}. Clean the mesh in the program that made the file.</source>
+        <translation>{0} 的 {1} 个面没有面积，其一在 {2} 附近。请在制作该文件的程序中清理网格。</translation>
+    </message>
+    <message>
+        <source>{0} crosses itself in one place, near {2}. A proof needs a surface that does not.</source>
+        <translation>{0} 在一处与自身相交，{2} 附近。证明需要不自相交的表面。</translation>
+    </message>
+    <message>
+        <source>{0} crosses itself in {1} places, one near {2}. A proof needs a surface that does not.</source>
+        <translation>{0} 在 {1} 处与自身相交，其一在 {2} 附近。证明需要不自相交的表面。</translation>
+    </message>
+    <message>
+        <source>{0} holds a closed surface inside another, near {2}. A closed cavity cannot be cast in a two-piece mold. Remove it, or open it to the outside.</source>
+        <translation>{0} 在 {2} 附近含有一个位于另一表面内的封闭表面。两片模无法铸造封闭的空腔。请移除它，或使其与外部相通。</translation>
+    </message>
+    <message>
+        <source>{0} holds {1} closed surfaces inside others, one near {2}. A closed cavity cannot be cast in a two-piece mold. Remove them, or open them to the outside.</source>
+        <translation>{0} 含有 {1} 个位于其他表面内的封闭表面，其一在 {2} 附近。两片模无法铸造封闭的空腔。请移除它们，或使其与外部相通。</translation>
+    </message>
+    <message>
+        <source>The surface of {0} has only one side: its faces cannot all look outward, as near {1}. It has no inside to cast.</source>
+        <translation>{0} 的表面只有一面：它的面不能全部朝外，例如在 {1} 附近。它没有可铸造的内部。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>关闭此消息</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::CommandSearch</name>
+    <message>
+        <source>Find a command</source>
+        <translation>查找命令</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Dock</name>
+    <message>
+        <source>Float or dock %1</source>
+        <translation>浮动或停靠 %1</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>关闭 %1</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ImportDialog</name>
+    <message>
+        <source>Size of %1</source>
+        <translation>%1 的尺寸</translation>
+    </message>
+    <message>
+        <source>This part is %1 units long. What is one unit?</source>
+        <translation>此零件长 %1 个单位。一个单位是多少？</translation>
+    </message>
+    <message>
+        <source>Millimetre</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>Centimetre</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>Metre</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>Inch</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>其他尺寸</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>单位(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Longest side</source>
+        <translation>最长边(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Open the part</source>
+        <translation>打开零件</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::KeySheet</name>
+    <message>
+        <source>Orbit about the point under the pointer</source>
+        <translation>绕指针下的点旋转</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>Zoom to the pointer</source>
+        <translation>缩放到指针处</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>Mouse: %1</source>
+        <translation>鼠标：%1</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>left button</source>
+        <translation>左键</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>中键</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>右键</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>按键与鼠标</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::KeyTable</name>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>命令及其按键</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>菜单</translation>
+    </message>
+    <message>
+        <source>Type other keys</source>
+        <translation>按下其他按键</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>重置所有按键</translation>
+    </message>
+    <message>
+        <source>%1 belongs to %2. Give that command other keys first.</source>
+        <translation>%1 属于 %2。请先给那个命令其他按键。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::MainWindow</name>
+    <message>
+        <source>Opened</source>
+        <translation>已打开</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>继续(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>暂停(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Moldwright</source>
+        <translation>Moldwright</translation>
+    </message>
+    <message>
+        <source>%1 (changed) · Moldwright</source>
+        <translation>%1（已更改）· Moldwright</translation>
+    </message>
+    <message>
+        <source>%1 · Moldwright</source>
+        <translation>%1 · Moldwright</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;?&lt;/b&gt; shows all keys.</source>
+        <translation>&lt;b&gt;?&lt;/b&gt; 显示所有按键。</translation>
+    </message>
+    <message>
+        <source>Open a part, drop one here, or choose a sample. %1</source>
+        <translation>打开零件、把零件拖到这里，或选择示例。%1</translation>
+    </message>
+    <message>
+        <source>The shape rests. &lt;b&gt;Space&lt;/b&gt; bends it further, &lt;b&gt;Ctrl+Shift+Return&lt;/b&gt; finishes it.</source>
+        <translation>形状静止。&lt;b&gt;空格&lt;/b&gt;继续弯曲，&lt;b&gt;Ctrl+Shift+Return&lt;/b&gt; 完成它。</translation>
+    </message>
+    <message>
+        <source>The part bends. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
+        <translation>零件正在弯曲。&lt;b&gt;空格&lt;/b&gt;使其停住，&lt;b&gt;Ctrl+.&lt;/b&gt; 停止。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, &lt;b&gt;Del&lt;/b&gt; removes it; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
+        <translation>&lt;b&gt;点击&lt;/b&gt;固定点以选中，&lt;b&gt;Del&lt;/b&gt; 移除；&lt;b&gt;P&lt;/b&gt; 固定另一个点。%1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;X&lt;/b&gt; opens and closes the mold. %1</source>
+        <translation>&lt;b&gt;X&lt;/b&gt; 打开和合上模具。%1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag&lt;/b&gt; a grip of the plane or the tip of an arrow, with &lt;b&gt;Ctrl&lt;/b&gt; in whole steps. %1</source>
+        <translation>&lt;b&gt;拖动&lt;/b&gt;平面的把手或箭头尖，按住 &lt;b&gt;Ctrl&lt;/b&gt; 则按整步。%1</translation>
+    </message>
+    <message>
+        <source>Directions along the normal</source>
+        <translation>方向沿法线</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>About Moldwright</source>
+        <translation>关于 Moldwright</translation>
+    </message>
+    <message>
+        <source>Takes any closed mesh to a castable shape and a proved two-piece mold, after Stein et al. 2019. Free software under the GNU AGPL 3 or later. Built on Qt, VTK, CGAL, OpenMesh, Eigen, TetGen and oneTBB.</source>
+        <translation>把任何封闭网格变成可铸造的形状和经证明的两片模，依据 Stein 等人 2019。自由软件，GNU AGPL 3 或更高版本。基于 Qt、VTK、CGAL、OpenMesh、Eigen、TetGen 和 oneTBB。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 有未保存的更改。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Close without saving</source>
+        <translation>不保存就关闭</translation>
+    </message>
+    <message>
+        <source>Keep it open</source>
+        <translation>保持打开</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>Moldwright projects (*.moldwright)</source>
+        <translation>Moldwright 项目 (*.moldwright)</translation>
+    </message>
+    <message>
+        <source>Open a part</source>
+        <translation>打开零件</translation>
+    </message>
+    <message>
+        <source>Parts and projects (*.stl *.obj *.ply *.off *.moldwright);;All files (*)</source>
+        <translation>零件和项目 (*.stl *.obj *.ply *.off *.moldwright);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Export the shape</source>
+        <translation>导出形状</translation>
+    </message>
+    <message>
+        <source>STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;OFF (*.off)</source>
+        <translation>STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;OFF (*.off)</translation>
+    </message>
+    <message>
+        <source>Folder for the halves</source>
+        <translation>半模的文件夹</translation>
+    </message>
+    <message>
+        <source>Print the report</source>
+        <translation>打印报告</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Pins from a file</source>
+        <translation>从文件读固定点</translation>
+    </message>
+    <message>
+        <source>Pins (*.json);;All files (*)</source>
+        <translation>固定点 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Pins into a file</source>
+        <translation>固定点写入文件</translation>
+    </message>
+    <message>
+        <source>Pins (*.json)</source>
+        <translation>固定点 (*.json)</translation>
+    </message>
+    <message>
+        <source>Save a picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>The picture could not be written to %1.</source>
+        <translation>无法把图片写入 %1。</translation>
+    </message>
+    <message>
+        <source>Save a turntable</source>
+        <translation>保存旋转动画</translation>
+    </message>
+    <message>
+        <source>Animated PNG (*.png)</source>
+        <translation>动态 PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Picture %1 of %2 around the part. &lt;b&gt;Esc&lt;/b&gt; stops.</source>
+        <translation>绕零件的第 %1 张图片，共 %2 张。&lt;b&gt;Esc&lt;/b&gt; 停止。</translation>
+    </message>
+    <message>
+        <source>Turntable written to %1.</source>
+        <translation>旋转动画已写入 %1。</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Mouse &amp;navigation</source>
+        <translation>鼠标导航(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Like the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>Navigation: %1</source>
+        <translation>导航：%1</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>零件</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>引导</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>变形</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>模具</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Every edit appears here. Click one to go back to it.</source>
+        <translation>每次编辑都出现在这里。点击一项即可回到那里。</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a place, a second for the distance, a third for the angle. &lt;b&gt;Ctrl+C&lt;/b&gt; copies, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;点击&lt;/b&gt;一个位置，再点一个得距离，第三个得角度。&lt;b&gt;Ctrl+C&lt;/b&gt; 复制，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; the face that shall lie on the ground. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;点击&lt;/b&gt;要放在地面上的面。&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a point of the surface to pin it, with &lt;b&gt;Shift&lt;/b&gt; the point inside below it. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;点击&lt;/b&gt;表面的点以固定它，按住 &lt;b&gt;Shift&lt;/b&gt; 则固定其下方内部的点。&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; to pin the point inside below the pointer, with &lt;b&gt;Shift&lt;/b&gt; the one on the surface. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;点击&lt;/b&gt;以固定指针下方内部的点，按住 &lt;b&gt;Shift&lt;/b&gt; 则固定表面上的点。&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; the face that the parting plane shall lie in. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;点击&lt;/b&gt;分型面要所在的面。&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; point %1 of 3 that the parting plane shall run through. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;点击&lt;/b&gt;分型面要通过的第 %1 个点，共 3 个。&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>These points lie on a line, so they give no plane. Click three others.</source>
+        <translation>这些点在一条直线上，不能确定平面。请点击另外三个点。</translation>
+    </message>
+    <message>
+        <source>Snap the plane</source>
+        <translation>吸附平面</translation>
+    </message>
+    <message>
+        <source>Click the sitting rabbit. A part of your own opens with %1.</source>
+        <translation>点击坐兔。用 %1 打开您自己的零件。</translation>
+    </message>
+    <message>
+        <source>Choose where the mold parts</source>
+        <translation>选择模具在哪里分开</translation>
+    </message>
+    <message>
+        <source>%1 searches the best planes. Try the pictures at the right: red is what would lock in the mold, and less of it is to be bent.</source>
+        <translation>%1 搜索最佳平面。试试右侧的图片：红色是会卡在模具里的部分，越少则要弯曲的越少。</translation>
+    </message>
+    <message>
+        <source>Bend it until it comes out</source>
+        <translation>弯曲到能脱模为止</translation>
+    </message>
+    <message>
+        <source>%1 runs. The part bends before your eyes until nothing is red, and the result is proved. What you want to hold on the plane, pin it first, under Guides.</source>
+        <translation>%1 运行。零件在您眼前弯曲，直到不再有红色，结果得到证明。要留在平面上的部分，请先在“引导”中固定。</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>看一看</translation>
+    </message>
+    <message>
+        <source>Turn it with %1 held. %2 paints how far cast and part are apart, %3 how steep each face is. If an ear went wrong, take another plane and run again.</source>
+        <translation>%1拖动以旋转。%2 显示铸件与零件相距多远，%3 显示各面有多陡。若耳朵弯错了，请换一个平面再运行。</translation>
+    </message>
+    <message>
+        <source>Shift and the middle button</source>
+        <translation>按住 Shift 和中键</translation>
+    </message>
+    <message>
+        <source>Make the mold</source>
+        <translation>制作模具</translation>
+    </message>
+    <message>
+        <source>%1 builds both halves and proves that they open. %2 moves them apart; %3 writes them to files.</source>
+        <translation>%1 构建两个半模并证明能打开。%2 把它们分开；%3 把它们写入文件。</translation>
+    </message>
+    <message>
+        <source>Turn direction 1</source>
+        <translation>转动方向 1</translation>
+    </message>
+    <message>
+        <source>Turn direction 2</source>
+        <translation>转动方向 2</translation>
+    </message>
+    <message>
+        <source>Move the plane</source>
+        <translation>移动平面</translation>
+    </message>
+    <message>
+        <source>%1 to plane normal</source>
+        <translation>与平面法线成 %1</translation>
+    </message>
+    <message>
+        <source>Crease up to %1</source>
+        <translation>折痕最大 %1</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::MessageList</name>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Nothing to report.</source>
+        <translation>没有消息。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PartView</name>
+    <message>
+        <source>View of the part</source>
+        <translation>零件视图</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>Find a preference or a key</source>
+        <translation>查找首选项或按键</translation>
+    </message>
+    <message>
+        <source>No preference has these words.</source>
+        <translation>没有含这些词的首选项。</translation>
+    </message>
+    <message>
+        <source>Appearance and mouse</source>
+        <translation>外观与鼠标</translation>
+    </message>
+    <message>
+        <source>Like the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Mouse navigation</source>
+        <translation>鼠标导航</translation>
+    </message>
+    <message>
+        <source>New parts begin with</source>
+        <translation>新零件的初始值</translation>
+    </message>
+    <message>
+        <source>Draft required</source>
+        <translation>要求的拔模角</translation>
+    </message>
+    <message>
+        <source>Tilt limit</source>
+        <translation>倾斜上限</translation>
+    </message>
+    <message>
+        <source>Wall of the mold</source>
+        <translation>模具壁厚</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ProgressPlots</name>
+    <message>
+        <source>Energy, worst draft and violating area over the steps</source>
+        <translation>各步的能量、最小拔模角和违规面积</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>能量</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>最小拔模角</translation>
+    </message>
+    <message>
+        <source>Area below %1°</source>
+        <translation>低于 %1° 的面积</translation>
+    </message>
+    <message>
+        <source>A run draws energy, worst draft and area here, step by step.</source>
+        <translation>运行会在此逐步绘出能量、拔模角和面积。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ProjectModel</name>
+    <message>
+        <source>shown</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隐藏</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>项目</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PropertyPanel</name>
+    <message>
+        <source>Properties</source>
+        <translation>属性</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>剖切</translation>
+    </message>
+    <message>
+        <source>At the parting plane</source>
+        <translation>在分型面处</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>垂直于 X</translation>
+    </message>
+    <message>
+        <source>Across Y</source>
+        <translation>垂直于 Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>垂直于 Z</translation>
+    </message>
+    <message>
+        <source>Which way the section lies</source>
+        <translation>剖面的朝向</translation>
+    </message>
+    <message>
+        <source>How far along the section lies</source>
+        <translation>剖面的位置</translation>
+    </message>
+    <message>
+        <source>Keep the other side</source>
+        <translation>保留另一侧</translation>
+    </message>
+    <message>
+        <source>Close the section</source>
+        <translation>关闭剖面</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Or drop a file anywhere: STL, OBJ, PLY, OFF, Moldwright projects.</source>
+        <translation>或把文件拖到任何地方：STL、OBJ、PLY、OFF、Moldwright 项目。</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>Clear list</source>
+        <translation>清除列表</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>Closed parts that you would really cast. Each opens as a copy.</source>
+        <translation>真正会铸造的封闭零件。每个都以副本打开。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::StatusProgress</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>导览</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>结束导览</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::TurnDialog</name>
+    <message>
+        <source>Turn the part</source>
+        <translation>转动零件</translation>
+    </message>
+    <message>
+        <source>X axis</source>
+        <translation>X 轴</translation>
+    </message>
+    <message>
+        <source>Y axis</source>
+        <translation>Y 轴</translation>
+    </message>
+    <message>
+        <source>Z axis</source>
+        <translation>Z 轴</translation>
+    </message>
+    <message>
+        <source>Normal of the parting plane</source>
+        <translation>分型面的法线</translation>
+    </message>
+    <message>
+        <source>&amp;About</source>
+        <translation>绕(&amp;A)</translation>
+    </message>
+    <message>
+        <source>A&amp;ngle</source>
+        <translation>角度(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>转动</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ViewBar</name>
+    <message>
+        <source>Tools of the view</source>
+        <translation>视图工具</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>What the faces show</source>
+        <translation>面显示什么</translation>
+    </message>
+    <message>
+        <source>How far the mold is open</source>
+        <translation>模具打开多少</translation>
+    </message>
+    <message>
+        <source>Mold opened</source>
+        <translation>模具已打开</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ViewPane</name>
+    <message>
+        <source>Front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>What this view shows</source>
+        <translation>此视图显示什么</translation>
+    </message>
+    <message>
+        <source>Newest shape</source>
+        <translation>最新形状</translation>
+    </message>
+    <message>
+        <source>Part as opened</source>
+        <translation>打开时的零件</translation>
+    </message>
+    <message>
+        <source>What the faces of this view show</source>
+        <translation>此视图的面显示什么</translation>
+    </message>
+    <message>
+        <source>Free view</source>
+        <translation>自由视图</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Workbench</name>
+    <message>
+        <source>Something inside Moldwright broke; your work is as it was.</source>
+        <translation>Moldwright 内部出错；您的工作保持原样。</translation>
+    </message>
+    <message>
+        <source>%1 was stopped.</source>
+        <translation>%1已停止。</translation>
+    </message>
+    <message>
+        <source>Turn the part</source>
+        <translation>转动零件</translation>
+    </message>
+    <message>
+        <source>Turn the part by %1°</source>
+        <translation>把零件转动 %1°</translation>
+    </message>
+    <message>
+        <source>Lay the part flat</source>
+        <translation>放平零件</translation>
+    </message>
+    <message>
+        <source>Move the part to the middle</source>
+        <translation>把零件移到中间</translation>
+    </message>
+    <message>
+        <source>Restore the original shape</source>
+        <translation>恢复原始形状</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>The search for planes was stopped.</source>
+        <translation>平面搜索已停止。</translation>
+    </message>
+    <message>
+        <source>Searching planes</source>
+        <translation>正在搜索平面</translation>
+    </message>
+    <message>
+        <source>Best plane</source>
+        <translation>最佳平面</translation>
+    </message>
+    <message>
+        <source>Plane %1 of the search</source>
+        <translation>搜索的第 %1 个平面</translation>
+    </message>
+    <message>
+        <source>Plane %1 of %2 taken: %3 % of the surface below %4°.</source>
+        <translation>已采用第 %1 个平面，共 %2 个：%3 % 的表面低于 %4°。</translation>
+    </message>
+    <message>
+        <source>Suggested plane</source>
+        <translation>建议的平面</translation>
+    </message>
+    <message>
+        <source>Suggested plane taken: nothing is in the way of the mold there. Run bends the part.</source>
+        <translation>已采用建议的平面：那里没有东西挡住模具。运行会弯曲零件。</translation>
+    </message>
+    <message>
+        <source>No direction keeps to the axis and to the tilt limit at this plane. Turn the plane, or allow more.</source>
+        <translation>在此平面没有方向符合轴和倾斜上限。请转动平面，或放宽限制。</translation>
+    </message>
+    <message>
+        <source>Searching directions</source>
+        <translation>正在搜索方向</translation>
+    </message>
+    <message>
+        <source>Best directions</source>
+        <translation>最佳方向</translation>
+    </message>
+    <message>
+        <source>Deforming</source>
+        <translation>变形</translation>
+    </message>
+    <message>
+        <source>Fill where bending fails</source>
+        <translation>填充弯曲失败处</translation>
+    </message>
+    <message>
+        <source>Building the mold</source>
+        <translation>构建模具</translation>
+    </message>
+    <message>
+        <source>Mold built: both halves are proved to come off.</source>
+        <translation>模具已构建：两个半模已证明能脱开。</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>%1 opened.</source>
+        <translation>已打开 %1。</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>正在保存 %1</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>%1 opened: %2 × %3 × %4 mm, closed.</source>
+        <translation>已打开 %1：%2 × %3 × %4 mm，封闭。</translation>
+    </message>
+    <message>
+        <source>The shape was not written: the file&apos;s name must end in stl, ply, obj or off.</source>
+        <translation>未写入形状：文件名必须以 stl、ply、obj 或 off 结尾。</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>正在写入 %1</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Shape written to %1.</source>
+        <translation>形状已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Writing the halves</source>
+        <translation>正在写入半模</translation>
+    </message>
+    <message>
+        <source>Mold halves written to %1.</source>
+        <translation>半模已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Pin a point</source>
+        <translation>固定一个点</translation>
+    </message>
+    <message>
+        <source>Move pin %1</source>
+        <translation>移动固定点 %1</translation>
+    </message>
+    <message>
+        <source>Remove pin %1</source>
+        <translation>移除固定点 %1</translation>
+    </message>
+    <message>
+        <source>Remove all pins</source>
+        <translation>移除所有固定点</translation>
+    </message>
+    <message>
+        <source>Reading pins</source>
+        <translation>读取固定点</translation>
+    </message>
+    <message>
+        <source>Pins from a file</source>
+        <translation>来自文件的固定点</translation>
+    </message>
+    <message>
+        <source>%1 pins read from %2.</source>
+        <translation>从 %2 读取了 %1 个固定点。</translation>
+    </message>
+    <message>
+        <source>Pins written to %1.</source>
+        <translation>固定点已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Looking for pins</source>
+        <translation>寻找固定点</translation>
+    </message>
+    <message>
+        <source>%1 pins are suggested. Click a faint ring to take one.</source>
+        <translation>建议了 %1 个固定点。点击淡色圆环即可采用。</translation>
+    </message>
+    <message>
+        <source>Take a suggested pin</source>
+        <translation>采用建议的固定点</translation>
+    </message>
+    <message>
+        <source>Pin the ends of limbs</source>
+        <translation>固定肢端</translation>
+    </message>
+    <message>
+        <source>moldwright-render could not be started.</source>
+        <translation>无法启动 moldwright-render。</translation>
+    </message>
+    <message>
+        <source>It was stopped.</source>
+        <translation>它已停止。</translation>
+    </message>
+    <message>
+        <source>Drawing the report</source>
+        <translation>正在绘制报告</translation>
+    </message>
+    <message>
+        <source>The report was not written. %1</source>
+        <translation>未写入报告。%1</translation>
+    </message>
+    <message>
+        <source>The report was not written.</source>
+        <translation>未写入报告。</translation>
+    </message>
+    <message>
+        <source>Report written to %1.</source>
+        <translation>报告已写入 %1。</translation>
+    </message>
+    <message>
+        <source>The run was stopped before it had a shape. The part is as it was.</source>
+        <translation>运行在得到形状之前停止。零件保持原样。</translation>
+    </message>
+    <message>
+        <source>Deform, stopped</source>
+        <translation>变形，已停止</translation>
+    </message>
+    <message>
+        <source>Deform</source>
+        <translation>变形</translation>
+    </message>
+    <message>
+        <source>Not castable yet: %1</source>
+        <translation>尚不可铸造：%1</translation>
+    </message>
+    <message>
+        <source>Filled: %1 % of the part&apos;s volume, at places that no bending frees.</source>
+        <translation>已填充：零件体积的 %1 %，在弯曲无法解开之处。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 on side %3: filled.</source>
+        <translation>第 %3 侧 %2 的%1：已填充。</translation>
+    </message>
+    <message>
+        <source>Pins: %1, at most %2 mm from the plane.</source>
+        <translation>固定点：%1 个，离平面最多 %2 mm。</translation>
+    </message>
+    <message>
+        <source>Castable: proved at %1°, mean distance to the part %2 % of its diagonal.</source>
+        <translation>可铸造：已证明 %1°，到零件的平均距离为其对角线的 %2 %。</translation>
+    </message>
+    <message>
+        <source>The run was stopped. What it reached is kept, and not castable yet.</source>
+        <translation>运行已停止。所达到的形状予以保留，尚不可铸造。</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface is below %2°. Run bends the part again, at the plane it had; Undo brings back what was before.</source>
+        <translation>%1 % 的表面低于 %2°。运行会在原平面再次弯曲零件；撤销可回到之前。</translation>
+    </message>
+    <message>
+        <source>Plane of the run</source>
+        <translation>运行的平面</translation>
+    </message>
+    <message>
+        <source>At this plane one place stands in the way, however the part is bent.</source>
+        <translation>在此平面有一处阻碍，无论零件如何弯曲。</translation>
+    </message>
+    <message>
+        <source>At this plane %1 places stand in the way, however the part is bent.</source>
+        <translation>在此平面有 %1 处阻碍，无论零件如何弯曲。</translation>
+    </message>
+    <message>
+        <source>Looking for undercuts</source>
+        <translation>正在查找倒扣</translation>
+    </message>
+    <message>
+        <source>%1 undercuts at this plane; %2 that no bending frees.</source>
+        <translation>此平面有 %1 处倒扣；其中 %2 处弯曲无法解开。</translation>
+    </message>
+    <message>
+        <source>Undercut by the rule</source>
+        <translation>倒扣按规则处理</translation>
+    </message>
+    <message>
+        <source>Fill an undercut</source>
+        <translation>填充倒扣</translation>
+    </message>
+    <message>
+        <source>Bend an undercut</source>
+        <translation>弯曲倒扣</translation>
+    </message>
+    <message>
+        <source>Fill an obstruction</source>
+        <translation>填充障碍</translation>
+    </message>
+    <message>
+        <source>It will be filled. Nothing else stands in the way: Run bends the rest.</source>
+        <translation>将予填充。再无其他阻碍：运行会弯曲其余部分。</translation>
+    </message>
+    <message>
+        <source>It will be filled. One more place to decide on.</source>
+        <translation>将予填充。还有一处待决定。</translation>
+    </message>
+    <message>
+        <source>It will be filled. %1 more places to decide on.</source>
+        <translation>将予填充。还有 %1 处待决定。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::WorkflowBar</name>
+    <message>
+        <source>Workflow</source>
+        <translation>工作流程</translation>
+    </message>
+</context>
+<context>
+    <name>pins</name>
+    <message>
+        <source>The search for pins was cancelled.</source>
+        <translation>固定点的搜索已取消。</translation>
+    </message>
+</context>
+</TS>
