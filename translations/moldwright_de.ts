@@ -752,8 +752,8 @@
         <translation>Zum Schritt Bericht gehen.</translation>
     </message>
     <message>
-        <source>&amp;Tour</source>
-        <translation>&amp;Rundgang</translation>
+        <source>Take the &amp;tour</source>
+        <translation>&amp;Rundgang machen</translation>
     </message>
     <message>
         <source>Five steps from a part to its mold, at your own pace.</source>

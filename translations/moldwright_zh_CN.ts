@@ -744,7 +744,7 @@
         <translation>在一页上显示所有按键。</translation>
     </message>
     <message>
-        <source>&amp;Tour</source>
+        <source>Take the &amp;tour</source>
         <translation>导览(&amp;T)</translation>
     </message>
     <message>

@@ -296,8 +296,8 @@ std::span<const ActionSpec> actionTable() {
 
         {"keys", QT_TRANSLATE_NOOP("Actions", "&Help"), QT_TRANSLATE_NOOP("Actions", "&Keys and mouse"),
          "keys", "?", QT_TRANSLATE_NOOP("Actions", "Show all keys on one sheet.")},
-        {"tour", QT_TRANSLATE_NOOP("Actions", "&Help"), QT_TRANSLATE_NOOP("Actions", "&Tour"), "tour", "",
-         QT_TRANSLATE_NOOP("Actions", "Five steps from a part to its mold, at your own pace."),
+        {"tour", QT_TRANSLATE_NOOP("Actions", "&Help"), QT_TRANSLATE_NOOP("Actions", "Take the &tour"),
+         "tour", "", QT_TRANSLATE_NOOP("Actions", "Five steps from a part to its mold, at your own pace."),
          Needs::Nothing},
         {"about", QT_TRANSLATE_NOOP("Actions", "&Help"), QT_TRANSLATE_NOOP("Actions", "&About Moldwright"),
          "info", "", QT_TRANSLATE_NOOP("Actions", "Version, licence, libraries.")},

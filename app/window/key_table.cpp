@@ -9,6 +9,7 @@
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -102,6 +103,9 @@ QString KeyTable::chosen() const {
 }
 
 void KeyTable::fill() {
+    QPixmap clear(m_list->style()->pixelMetric(QStyle::PM_SmallIconSize), 16);
+    clear.fill(Qt::transparent);
+    const QIcon blank(clear); // so that all words begin in one line
     int row = 0;
     for (const QAction* action : m_actions.all()) {
         QTreeWidgetItem* item = m_list->topLevelItem(row++);
@@ -109,7 +113,7 @@ void KeyTable::fill() {
             item = new QTreeWidgetItem(m_list);
         item->setData(CommandColumn, Qt::UserRole, action->objectName());
         item->setText(CommandColumn, plain(action->text()));
-        item->setIcon(CommandColumn, action->icon());
+        item->setIcon(CommandColumn, action->icon().isNull() ? blank : action->icon());
         item->setText(KeysColumn, action->shortcut().toString(QKeySequence::NativeText));
         item->setText(MenuColumn, plain(action->property("menu").toString()));
         QFont font = m_list->font();

@@ -22,6 +22,7 @@
 #include "window/undercut_pages.h"
 #include "window/workbench.h"
 
+#include <QDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QSignalBlocker>
@@ -74,7 +75,10 @@ MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     m_centre->currentWidget()->setFocus();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // Dialogs know the commands, and lose the keyboard as they go: they go while the commands are there.
+    qDeleteAll(findChildren<QDialog*>(Qt::FindDirectChildrenOnly));
+}
 
 void MainWindow::applyTheme() {
     const Theme& t = theme();

@@ -143,14 +143,16 @@ void addDeformRows(std::vector<ProjectRow>& rows, const Workbench& bench) {
                     .strong = true,
                     .stale = deform.standing == Standing::Stale});
     const int parent = static_cast<int>(rows.size()) - 1;
-    for (int i = 0; i < static_cast<int>(bench.obstructions().size()); ++i)
+    for (int i = 0; i < static_cast<int>(bench.obstructions().size()); ++i) {
+        const bool filled = bench.willBeFilled(i);
+        const Obstruction& obstruction = bench.obstructions()[static_cast<std::size_t>(i)];
         rows.push_back({.id = obstructionId(i),
                         .parent = parent,
-                        .iconName = u"error"_s,
-                        .tint = theme().error,
-                        .name = kindName(bench.obstructions()[i].kind),
-                        .value = bench.willBeFilled(i) ? Words::tr("will be filled")
-                                                       : sizeText(bench.obstructions()[i])});
+                        .iconName = filled ? u"cavity"_s : u"error"_s,
+                        .tint = filled ? std::nullopt : std::optional(theme().error),
+                        .name = kindName(obstruction.kind),
+                        .value = filled ? Words::tr("will be filled") : sizeText(obstruction)});
+    }
     addUndercutRows(rows, parent, bench);
     if (bench.project().cast)
         rows.push_back({

@@ -18,6 +18,7 @@ FillingLayer::FillingLayer() {
     m_actor->SetMapper(m_mapper);
     m_actor->GetProperty()->SetOpacity(opacity);
     m_actor->GetProperty()->SetAmbient(0.45);
+    m_actor->GetProperty()->BackfaceCullingOn(); // one layer of glass where walls lie behind one another
     m_actor->PickableOff();
     m_actor->VisibilityOff();
 }

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What the window looks like: in both themes, in every language, at two sizes nothing is clipped, nothing
+// overlaps, and text can be read. Run once more at twice the scale.
+#include "app/window_driver.h"
+
+#include "panels/project_tree.h"
+#include "panels/property_panel.h"
+#include "theme/theme.h"
+#include "window/languages.h"
+#include "window/main_window.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QTextDocument>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace moldwright;
+using namespace Qt::StringLiterals;
+using test::WindowDriver;
+
+namespace {
+
+constexpr double leastContrast = 4.5;
+
+double luminance(QRgb colour) {
+    const auto linear = [](int channel) {
+        const double c = channel / 255.0;
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour)) + 0.0722 * linear(qBlue(colour));
+}
+
+double contrast(double a, double b) {
+    return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+/// The contrast of what is written on a widget, measured on its picture without its outline: the commonest
+/// shade is the ground, the ink is what stands out most from it.
+double contrastOf(QWidget* widget) {
+    constexpr int outline = 3;
+    constexpr QRgb shades = 0xF8F8F8; ///< grounds are shaded a little from top to bottom
+    const QImage picture = widget->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    const int rim = qobject_cast<QLabel*>(widget) ? 0 : outline;
+    std::map<QRgb, int> colours;
+    for (int y = rim; y < picture.height() - rim; ++y)
+        for (int x = rim; x < picture.width() - rim; ++x)
+            ++colours[picture.pixel(x, y) & shades];
+    if (colours.empty())
+        return 21;
+    const auto commonest =
+        std::ranges::max_element(colours, {}, [](const auto& pair) { return pair.second; });
+    const double ground = luminance(commonest->first);
+    double most = 1;
+    for (const auto& [colour, count] : colours)
+        most = std::max(most, contrast(luminance(colour), ground));
+    return most;
+}
+
+QString plainText(const QLabel* label) {
+    if (!Qt::mightBeRichText(label->text()))
+        return label->text();
+    QTextDocument document;
+    document.setHtml(label->text());
+    return document.toPlainText();
+}
+
+std::string named(const QWidget* widget, const QString& words) {
+    return (QString::fromLatin1(widget->metaObject()->className()) + u' ' + widget->objectName() + u": "_s +
+            words)
+        .toStdString();
+}
+
+/// Whether a widget is seen at all: not scrolled away or behind another page.
+bool seen(const QWidget* widget) {
+    return widget->isVisible() && !widget->visibleRegion().isEmpty();
+}
+
+template <class W>
+std::vector<W*> seenOf(QWidget& window) {
+    std::vector<W*> found;
+    for (W* widget : window.findChildren<W*>())
+        if (seen(widget))
+            found.push_back(widget);
+    return found;
+}
+
+void expectNothingClipped(QWidget& window, const std::string& where) {
+    for (const QLabel* label : seenOf<QLabel>(window)) {
+        const QString words = plainText(label);
+        if (words.isEmpty() || !label->pixmap().isNull())
+            continue;
+        const QRect room = label->contentsRect();
+        if (label->wordWrap()) {
+            EXPECT_GE(label->height() + 1, label->heightForWidth(label->width()))
+                << where << named(label, words);
+            continue;
+        }
+        EXPECT_GE(room.width() + 2, label->fontMetrics().horizontalAdvance(words))
+            << where << named(label, words);
+    }
+    for (const QPushButton* button : seenOf<QPushButton>(window))
+        EXPECT_GE(button->width() + 1, button->minimumSizeHint().width())
+            << where << named(button, button->text());
+}
+
+/// No two controls of one panel lie on one another.
+void expectNothingOverlaps(QWidget& window, const std::string& where) {
+    auto* panel = window.findChild<PropertyPanel*>();
+    if (!panel || !seen(panel))
+        return;
+    const QList<QWidget*> rows = panel->widget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
+    for (qsizetype a = 0; a < rows.size(); ++a)
+        for (qsizetype b = a + 1; b < rows.size(); ++b)
+            if (seen(rows[a]) && seen(rows[b])) {
+                EXPECT_FALSE(rows[a]->geometry().intersects(rows[b]->geometry()))
+                    << where << named(rows[a], rows[a]->objectName()) << " and " << named(rows[b], {});
+            }
+    for (const QWidget* row : rows)
+        if (seen(row)) {
+            EXPECT_LE(row->geometry().right(), panel->viewport()->width()) << where << named(row, {});
+        }
+}
+
+void expectReadable(QWidget& window, const std::string& where) {
+    for (QLabel* label : seenOf<QLabel>(window))
+        if (!plainText(label).trimmed().isEmpty() && label->isEnabled()) {
+            EXPECT_GE(contrastOf(label), leastContrast) << where << named(label, plainText(label));
+        }
+    for (QPushButton* button : seenOf<QPushButton>(window))
+        if (button->isEnabled()) {
+            EXPECT_GE(contrastOf(button), leastContrast) << where << named(button, button->text());
+        }
+    for (QComboBox* choice : seenOf<QComboBox>(window))
+        if (choice->isEnabled()) {
+            EXPECT_GE(contrastOf(choice), leastContrast) << where << named(choice, choice->currentText());
+        }
+}
+
+void expectGoodLooks(WindowDriver& driver, const std::string& where) {
+    QTest::qWait(120);
+    expectNothingClipped(driver.window(), where);
+    expectNothingOverlaps(driver.window(), where);
+    expectReadable(driver.window(), where);
+    driver.shot(("look-" + where).c_str());
+}
+
+/// Looks at the start page, then at the pages of a part with a cast, in a language and a theme.
+void lookAround(WindowDriver& driver, const QString& language, bool dark, QSize size) {
+    driver.window().actions()[dark ? u"theme-dark"_s : u"theme-light"_s]->trigger();
+    driver.window().resize(size);
+    QTest::qWait(100);
+    const std::string where = QStringLiteral("%1-%2-%3x-%4-")
+                                  .arg(language, dark ? u"dark"_s : u"light"_s)
+                                  .arg(driver.window().devicePixelRatioF())
+                                  .arg(size.width())
+                                  .toStdString();
+    for (const char* row : {"part", "plane", "direction-1", "pins", "deform", "cast", "mold"}) {
+        driver.selectRow(row);
+        expectGoodLooks(driver, where + row + ' ');
+        if (testing::Test::HasFailure())
+            return; // one page tells enough
+    }
+}
+
+} // namespace
+
+class Appearance : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Languages, Appearance, testing::Values("en", "de", "zh_CN"));
+
+TEST_P(Appearance, NothingIsClippedOrOverlapsAndTextCanBeRead) {
+    WindowDriver driver;
+    const QString language = QString::fromLatin1(GetParam());
+    driver.program().setLanguage(language);
+    QTest::qWait(100);
+    for (const bool dark : {false, true}) {
+        driver.window().actions()[dark ? u"theme-dark"_s : u"theme-light"_s]->trigger();
+        driver.window().resize(1280, 800);
+        expectGoodLooks(driver, GetParam() + std::string(dark ? "-dark-start " : "-light-start "));
+    }
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.press("Ctrl+B");
+    ASSERT_TRUE(driver.waitIdle());
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitIdle(180000));
+    driver.press("Ctrl+M");
+    ASSERT_TRUE(driver.waitIdle());
+    QTest::qWait(900); // the halves move apart
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
+        for (const bool dark : {false, true})
+            lookAround(driver, language, dark, size);
+    driver.window().actions()[u"theme-light"_s]->trigger();
+    driver.program().setLanguage(u"en"_s);
+}
