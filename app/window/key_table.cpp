@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/key_table.h"
 
+#include "panels/plain_text.h"
 #include "theme/theme.h"
 #include "window/action_table.h"
 
@@ -23,8 +24,8 @@ namespace {
 
 enum Column { CommandColumn, KeysColumn, MenuColumn, ColumnCount };
 
-QString plain(QString text) {
-    return text.remove(u'&').remove(u'…');
+QString plain(const QString& text) {
+    return plainText(text).remove(u'…');
 }
 
 } // namespace

@@ -109,11 +109,11 @@ void MainWindow::refresh() {
     if (!open)
         m_start->setRecent(preferences::recentFiles());
     m_workflow->setStepsEnabled(open);
+    const Verdict verdict = verdictOf(m_bench);
+    m_workflow->verdict()->setVerdict(verdict.standing, verdict.sentence, verdict.reason);
     const auto states = stepStates(m_bench);
     for (int step = 0; step < stepCount; ++step)
         m_workflow->setStanding(step, states[step].standing, states[step].words);
-    const Verdict verdict = verdictOf(m_bench);
-    m_workflow->verdict()->setVerdict(verdict.standing, verdict.sentence, verdict.reason);
     m_projectModel->setRows(projectRows(m_bench, m_visible));
     if (obstructionNumber(m_selected) >= static_cast<int>(m_bench.obstructions().size()) ||
         undercutNumber(m_selected) >= static_cast<int>(m_bench.undercuts().size()))

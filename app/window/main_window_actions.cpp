@@ -8,6 +8,7 @@
 #include "panels/dock_title.h"
 #include "panels/key_sheet.h"
 #include "panels/message_list.h"
+#include "panels/plain_text.h"
 #include "panels/project_tree.h"
 #include "panels/property_panel.h"
 #include "panels/start_page.h"
@@ -199,7 +200,7 @@ void MainWindow::connectBench() {
 void MainWindow::advise(const Advice& advice) {
     m_remedy = advice.action;
     m_banner->showMessage(advice.standing, advice.headline, advice.text,
-                          m_remedy.isEmpty() ? QString() : m_actions[m_remedy]->text().remove(u'&'));
+                          m_remedy.isEmpty() ? QString() : plainText(m_actions[m_remedy]->text()));
 }
 
 void MainWindow::connectPanels() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/view_bar.h"
 
+#include "panels/plain_text.h"
 #include "window/action_table.h"
 
 #include <QComboBox>
@@ -82,7 +83,7 @@ void ViewBar::addTool(QAction* action) {
     addAction(action);
     QWidget* button = widgetForAction(action);
     button->setFixedSize(28, 28);
-    button->setAccessibleName(action->text().remove(u'&'));
+    button->setAccessibleName(plainText(action->text()));
 }
 
 void ViewBar::setMode(DisplayMode mode) {

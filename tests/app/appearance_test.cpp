@@ -5,6 +5,7 @@
 
 #include "panels/project_tree.h"
 #include "panels/property_panel.h"
+#include "panels/workflow_bar.h"
 #include "theme/theme.h"
 #include "window/languages.h"
 #include "window/main_window.h"
@@ -106,6 +107,9 @@ void expectNothingClipped(QWidget& window, const std::string& where) {
         EXPECT_GE(room.width() + 2, label->fontMetrics().horizontalAdvance(words))
             << where << named(label, words);
     }
+    const auto* verdict = window.findChild<VerdictButton*>();
+    EXPECT_TRUE(seen(verdict)) << where;
+    EXPECT_GE(verdict->width(), verdict->minimumSizeHint().width()) << where;
     for (const QPushButton* button : seenOf<QPushButton>(window))
         EXPECT_GE(button->width() + 1, button->minimumSizeHint().width())
             << where << named(button, button->text());

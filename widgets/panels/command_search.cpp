@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "panels/command_search.h"
 
+#include "panels/plain_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 
@@ -21,9 +22,8 @@ bool fits(const QAction* command, const QString& typed) {
     const QString words =
         command->property("menu").toString() + u' ' + command->text() + u' ' + command->statusTip();
     const QStringList parts = typed.split(u' ', Qt::SkipEmptyParts);
-    return std::ranges::all_of(parts, [&](const QString& part) {
-        return QString(words).remove(u'&').contains(part, Qt::CaseInsensitive);
-    });
+    return std::ranges::all_of(
+        parts, [&](const QString& part) { return plainText(words).contains(part, Qt::CaseInsensitive); });
 }
 
 } // namespace
@@ -53,7 +53,7 @@ void CommandSearch::list() {
         if (m_list->count() == mostShown || !fits(command, text()))
             continue;
         const QString shortcut = command->shortcut().toString(QKeySequence::NativeText);
-        auto* item = new QListWidgetItem(command->icon(), command->text().remove(u'&'), m_list);
+        auto* item = new QListWidgetItem(command->icon(), plainText(command->text()), m_list);
         item->setText(shortcut.isEmpty() ? item->text()
                                          : QStringLiteral("%1    %2").arg(item->text(), shortcut));
         item->setData(Qt::UserRole, QVariant::fromValue(command));

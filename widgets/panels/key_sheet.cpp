@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "panels/key_sheet.h"
 
+#include "panels/plain_text.h"
+
 #include <QAction>
 #include <QCoreApplication>
 #include <QGridLayout>
@@ -44,11 +46,11 @@ std::vector<std::pair<QString, std::vector<Line>>> linesFor(const std::vector<QA
     for (const QAction* command : commands) {
         if (command->shortcut().isEmpty())
             continue;
-        const QString menu = command->property("menu").toString().remove(u'&');
+        const QString menu = plainText(command->property("menu").toString());
         if (groups.back().first != menu)
             groups.emplace_back(menu, std::vector<Line>());
         groups.back().second.push_back({command->shortcut().toString(QKeySequence::NativeText),
-                                        command->text().remove(u'&').remove(u'…')});
+                                        plainText(command->text()).remove(u'…')});
     }
     return groups;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "panels/property_panel.h"
 
+#include "panels/plain_text.h"
 #include "panels/quantity_spin_box.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
@@ -52,7 +53,7 @@ QPushButton* actionButton(QAction* action, QWidget* parent, bool primary) {
     button->setObjectName(QStringLiteral("button-") + action->objectName());
     button->setMinimumHeight(28);
     const auto follow = [button, action, primary] {
-        button->setText(action->text().remove(u'&'));
+        button->setText(plainText(action->text()));
         button->setIcon(primary && action->isEnabled()
                             ? tintedIcon(action->property("iconName").toString(), Qt::white)
                             : action->icon());

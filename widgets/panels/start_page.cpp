@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "panels/start_page.h"
 
+#include "panels/plain_text.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 
@@ -153,7 +154,7 @@ QPushButton* wideButton(QAction* action, bool primary, QWidget* parent) {
     auto* button = new QPushButton(parent);
     button->setProperty("primary", primary);
     button->setMinimumHeight(36);
-    button->setText(action->text().remove(u'&'));
+    button->setText(plainText(action->text()));
     button->setIcon(primary ? tintedIcon(action->property("iconName").toString(), Qt::white)
                             : action->icon());
     button->setToolTip(action->toolTip());

@@ -40,6 +40,8 @@ void StepButton::setStanding(Standing standing, const QString& words) {
 }
 
 void StepButton::setNarrow(bool narrow) {
+    if (narrow == m_narrow)
+        return;
     m_narrow = narrow;
     updateGeometry();
     update();
@@ -58,14 +60,20 @@ QFont StepButton::stateFont() const {
     return font;
 }
 
-QSize StepButton::sizeHint() const {
+int StepButton::nameWidth() const {
     // The name's width is taken bold, so that choosing a step moves nothing.
     QFont bold = nameFont();
     bold.setBold(true);
-    int width = QFontMetrics(bold).horizontalAdvance(text());
-    if (!m_narrow && !m_words.isEmpty())
-        width = std::max(width, glyph + 4 + QFontMetrics(stateFont()).horizontalAdvance(m_words));
-    return {textLeft + width + textRight, 58};
+    return textLeft + QFontMetrics(bold).horizontalAdvance(text()) + textRight;
+}
+
+int StepButton::wideWidth() const {
+    const int words = m_words.isEmpty() ? 0 : QFontMetrics(stateFont()).horizontalAdvance(m_words);
+    return std::max(nameWidth(), textLeft + glyph + 4 + words + textRight);
+}
+
+QSize StepButton::sizeHint() const {
+    return {m_narrow || m_words.isEmpty() ? nameWidth() : wideWidth(), 58};
 }
 
 void StepButton::paintEvent(QPaintEvent*) {

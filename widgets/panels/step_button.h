@@ -17,6 +17,8 @@ public:
 
     /// Narrow: the state's words go, its glyph moves onto the icon.
     void setNarrow(bool narrow);
+    /// As wide as it would be with its state.
+    [[nodiscard]] int wideWidth() const;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -25,6 +27,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    [[nodiscard]] int nameWidth() const;
     [[nodiscard]] QFont nameFont() const;
     [[nodiscard]] QFont stateFont() const;
 

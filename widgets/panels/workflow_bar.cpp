@@ -13,12 +13,13 @@ namespace moldwright {
 
 namespace {
 
-constexpr int narrowBelow = 1240;
+constexpr int chevronWidth = 10;
+constexpr int spare = 24; ///< what the bar's own layout takes
 
 /// The sign between two steps.
 class Chevron : public QWidget {
 public:
-    explicit Chevron(QWidget* parent) : QWidget(parent) { setFixedWidth(10); }
+    explicit Chevron(QWidget* parent) : QWidget(parent) { setFixedWidth(chevronWidth); }
 
 protected:
     void paintEvent(QPaintEvent*) override {
@@ -114,6 +115,7 @@ WorkflowBar::WorkflowBar(const std::vector<Step>& steps, QWidget* parent) : QToo
 
 void WorkflowBar::setStanding(int step, Standing standing, const QString& words) {
     m_steps[step]->setStanding(standing, words);
+    fitSteps();
 }
 
 void WorkflowBar::setCurrentStep(int step) {
@@ -127,8 +129,15 @@ void WorkflowBar::setStepsEnabled(bool enabled) {
 
 void WorkflowBar::resizeEvent(QResizeEvent* event) {
     QToolBar::resizeEvent(event);
+    fitSteps();
+}
+
+void WorkflowBar::fitSteps() {
+    int needed = m_verdict->minimumSizeHint().width() + spare;
+    for (const StepButton* step : m_steps)
+        needed += step->wideWidth() + chevronWidth;
     for (StepButton* step : m_steps)
-        step->setNarrow(width() < narrowBelow);
+        step->setNarrow(width() < needed);
 }
 
 } // namespace moldwright

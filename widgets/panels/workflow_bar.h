@@ -58,6 +58,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    /// Where the bar is too narrow for all their states, the steps show their names alone.
+    void fitSteps();
+
     std::vector<StepButton*> m_steps;
     VerdictButton* m_verdict;
 };

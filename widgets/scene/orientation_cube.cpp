@@ -6,12 +6,12 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCubeSource.h>
-#include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ vtkNew<vtkImageData> wordPicture(const std::string& word, Rgb ground, Rgb ink) {
     style->SetColor(1, 1, 1);
     vtkNew<vtkImageData> text;
     std::array<int, 2> size = {};
-    if (!vtkFreeTypeTools::GetInstance()->RenderString(style, word, 72, text, size.data()))
+    if (!vtkTextRenderer::GetInstance()->RenderString(style, word, text, size.data(), 72))
         size = {0, 0};
 
     vtkNew<vtkImageData> picture;
