@@ -101,17 +101,28 @@ void MainWindow::connectDesignActions() {
     m_actions.on(u"run"_s, [this] {
         m_banner->hide();
         select(u"deform"_s);
+        m_view->setFocus(); // the button goes while it runs
         m_bench.run();
     });
     m_actions.on(u"fill-and-run"_s, [this] {
         m_banner->hide();
         select(u"deform"_s);
+        m_view->setFocus();
         m_bench.fillAndRun();
     });
-    m_actions.on(u"finish"_s, [this] { m_bench.finish(); });
+    m_actions.on(u"finish"_s, [this] {
+        m_view->setFocus();
+        m_bench.finish();
+    });
     m_actions.on(u"pause"_s, [this] { m_bench.resting() ? m_bench.goOn() : m_bench.rest(); });
-    m_actions.on(u"stop"_s, [this] { m_bench.stop(); });
-    m_actions.on(u"restore"_s, [this] { m_bench.restoreShape(); });
+    m_actions.on(u"stop"_s, [this] {
+        m_view->setFocus();
+        m_bench.stop();
+    });
+    m_actions.on(u"restore"_s, [this] {
+        m_view->setFocus();
+        m_bench.restoreShape();
+    });
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
     m_actions.on(u"print-report"_s, [this] { chooseFileForReport(); });
     m_actions.on(u"open-mold"_s, [this] {

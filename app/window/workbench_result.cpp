@@ -80,7 +80,7 @@ void Workbench::tellOfCast(const DesignResult& result) {
         const auto farthest = std::ranges::max_element(result.pins, {}, &PinnedPoint::distanceFromPlane);
         say(Standing::Info, tr("Pins: %1, at most %2 mm from the plane.")
                                 .arg(result.pins.size())
-                                .arg(farthest->distanceFromPlane, 0, 'g', 2));
+                                .arg(farthest->distanceFromPlane, 0, 'f', 3));
     }
     say(Standing::Done, tr("Castable: proved at %1°, mean distance to the part %2 % of its diagonal.")
                             .arg(std::floor(10 * result.certificate.worstDraftDegrees) / 10, 0, 'f', 1)
