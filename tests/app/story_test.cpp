@@ -83,8 +83,7 @@ int planeThrough(WindowDriver& driver, const std::vector<Eigen::Vector3d>& place
         double farthest = 0;
         for (const Eigen::Vector3d& place : places)
             farthest = std::max(farthest, std::abs(offered[i].plane.state.plane.distance(place)));
-        // One that leaves most of the surface below the draft is passed over.
-        if (farthest < least && offered[i].plane.violatingAreaFraction < 0.4) {
+        if (farthest < least) {
             least = farthest;
             best = static_cast<int>(i);
         }
