@@ -150,9 +150,10 @@ void expectReadable(QWidget& window, const std::string& where) {
 
 void expectGoodLooks(WindowDriver& driver, const std::string& where) {
     QTest::qWait(120);
-    expectNothingClipped(driver.window(), where);
-    expectNothingOverlaps(driver.window(), where);
-    expectReadable(driver.window(), where);
+    const std::string before = where + ": ";
+    expectNothingClipped(driver.window(), before);
+    expectNothingOverlaps(driver.window(), before);
+    expectReadable(driver.window(), before);
     driver.shot(("look-" + where).c_str());
 }
 
@@ -168,7 +169,7 @@ void lookAround(WindowDriver& driver, const QString& language, bool dark, QSize 
                                   .toStdString();
     for (const char* row : {"part", "plane", "direction-1", "pins", "deform", "cast", "mold"}) {
         driver.selectRow(row);
-        expectGoodLooks(driver, where + row + ' ');
+        expectGoodLooks(driver, where + row);
         if (testing::Test::HasFailure())
             return; // one page tells enough
     }
@@ -188,7 +189,7 @@ TEST_P(Appearance, NothingIsClippedOrOverlapsAndTextCanBeRead) {
     for (const bool dark : {false, true}) {
         driver.window().actions()[dark ? u"theme-dark"_s : u"theme-light"_s]->trigger();
         driver.window().resize(1280, 800);
-        expectGoodLooks(driver, GetParam() + std::string(dark ? "-dark-start " : "-light-start "));
+        expectGoodLooks(driver, GetParam() + std::string(dark ? "-dark-start" : "-light-start"));
     }
     ASSERT_TRUE(driver.openSample("praline"));
     driver.press("Ctrl+B");

@@ -107,7 +107,7 @@ TEST(Story, OfTheAnimalWithHornsByMouse) {
 
     clickStep(driver, Step::Deform);
     driver.click("button-run");
-    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().frame().has_value(); }, 180000));
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().progress().size() >= 20; }, 180000));
     driver.shot("story-4-running");
     ASSERT_TRUE(driver.waitIdle(400000));
     ASSERT_TRUE(driver.bench().project().cast) << newestMessage(driver);
