@@ -1485,8 +1485,8 @@
         <translation>%1 unter %2</translation>
     </message>
     <message>
-        <source>Worst draft %1</source>
-        <translation>Kleinste Schräge %1</translation>
+        <source>Worst %1</source>
+        <translation>Kleinste %1</translation>
     </message>
     <message>
         <source>Directions tilted by %1 and %2, %3 of the volume on the smaller side</source>

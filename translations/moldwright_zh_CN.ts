@@ -1436,8 +1436,8 @@
         <translation>%1 低于 %2</translation>
     </message>
     <message>
-        <source>Worst draft %1</source>
-        <translation>最小拔模角 %1</translation>
+        <source>Worst %1</source>
+        <translation>最小 %1</translation>
     </message>
     <message>
         <source>Directions tilted by %1 and %2, %3 of the volume on the smaller side</source>

@@ -98,7 +98,7 @@ PropertySection offeredSection(const Workbench& bench) {
         const QImage picture(drawn.rgba.data(), drawn.width, drawn.height, QImage::Format_RGBA8888);
         const QString below =
             Words::tr("%1 below %2").arg(percentText(plane.violatingAreaFraction), required);
-        const QString worst = Words::tr("Worst draft %1").arg(draftText(plane.worstDraftDegrees));
+        const QString worst = Words::tr("Worst %1").arg(draftText(plane.worstDraftDegrees));
         const QString tilt =
             Words::tr("Directions tilted by %1 and %2, %3 of the volume on the smaller side")
                 .arg(angleText(tiltDegrees(plane.state, 1)), angleText(tiltDegrees(plane.state, 2)),

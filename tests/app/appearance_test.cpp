@@ -3,6 +3,7 @@
 // overlaps, and text can be read. Run once more at twice the scale.
 #include "app/window_driver.h"
 
+#include "panels/picture_list.h"
 #include "panels/project_tree.h"
 #include "panels/property_panel.h"
 #include "panels/workflow_bar.h"
@@ -110,6 +111,9 @@ void expectNothingClipped(QWidget& window, const std::string& where) {
     const auto* verdict = window.findChild<VerdictButton*>();
     EXPECT_TRUE(seen(verdict)) << where;
     EXPECT_GE(verdict->width(), verdict->minimumSizeHint().width()) << where;
+    for (const PictureList* list : seenOf<PictureList>(window))
+        for (int row = 0; row < list->count(); ++row)
+            EXPECT_TRUE(list->fits(row)) << where << named(list, list->item(row)->text());
     for (const QPushButton* button : seenOf<QPushButton>(window))
         EXPECT_GE(button->width() + 1, button->minimumSizeHint().width())
             << where << named(button, button->text());

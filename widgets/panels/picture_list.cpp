@@ -17,7 +17,21 @@ constexpr int gap = 6;
 constexpr int columns = 2;
 constexpr QSize card{PictureList::pictureSize.width() + 2, PictureList::pictureSize.height() + captionHeight};
 
+constexpr int textWidth = card.width() - 14;
+
 enum Role { PictureRole = Qt::UserRole, DetailsRole };
+
+QFont captionFont(QFont font) {
+    font.setPixelSize(12);
+    font.setBold(true);
+    return font;
+}
+
+QFont detailsFont(QFont font) {
+    font.setPixelSize(11);
+    font.setBold(false);
+    return font;
+}
 
 /// Draws a card as those of the start page: picture on the view's ground, two lines, an outline.
 class CardDelegate : public QStyledItemDelegate {
@@ -58,21 +72,16 @@ public:
 
 private:
     static void write(QPainter& painter, const QRect& area, const QPalette& palette, const QModelIndex& index,
-                      QFont font) {
-        const QRect line(area.left() + 8, area.top() + PictureList::pictureSize.height() + 4,
-                         area.width() - 14, 16);
+                      const QFont& font) {
+        const QRect line(area.left() + 8, area.top() + PictureList::pictureSize.height() + 4, textWidth, 16);
         const auto text = [&](const QRect& where, const QString& words) {
             painter.drawText(where, Qt::AlignLeft | Qt::AlignVCenter,
                              painter.fontMetrics().elidedText(words, Qt::ElideRight, where.width()));
         };
-        font.setPixelSize(12);
-        font.setBold(true);
-        painter.setFont(font);
+        painter.setFont(captionFont(font));
         painter.setPen(palette.color(QPalette::Text));
         text(line, index.data().toString());
-        font.setPixelSize(11);
-        font.setBold(false);
-        painter.setFont(font);
+        painter.setFont(detailsFont(font));
         painter.setPen(palette.color(QPalette::PlaceholderText));
         text(line.translated(0, 15), index.data(DetailsRole).toString());
     }
@@ -124,6 +133,12 @@ void PictureList::setChosen(int index) {
         setCurrentRow(index);
     }
     viewport()->update();
+}
+
+bool PictureList::fits(int index) const {
+    const QListWidgetItem* it = item(index);
+    return QFontMetrics(captionFont(font())).horizontalAdvance(it->text()) <= textWidth &&
+           QFontMetrics(detailsFont(font())).horizontalAdvance(it->data(DetailsRole).toString()) <= textWidth;
 }
 
 int PictureList::heightForWidth(int) const {

@@ -26,6 +26,9 @@ public:
     /// Marks one as chosen, −1 none; tells nobody.
     void setChosen(int index);
 
+    /// Whether both lines of a picture are shown whole.
+    [[nodiscard]] bool fits(int index) const;
+
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }
     [[nodiscard]] int heightForWidth(int width) const override;
     [[nodiscard]] QSize sizeHint() const override;

@@ -26,7 +26,8 @@ constexpr int fieldWidth = 92;
 constexpr int sliderSteps = 1000;
 constexpr int leastWidth = 288;
 constexpr int padding = 12;
-constexpr int bodyWidth = leastWidth - 2 * padding; ///< what a row can count on
+constexpr int scrollBar = 16;
+constexpr int bodyWidth = leastWidth - 2 * padding - scrollBar; ///< what a row can count on
 constexpr int buttonGap = 6;
 
 QFrame* hairline(QWidget* parent) {
