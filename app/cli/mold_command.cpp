@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/mold_command.h"
 
+#include "cli/mold_options.h"
 #include "cli/open_project.h"
 #include "mold/mold_files.h"
 #include "report/figures.h"
@@ -13,10 +14,10 @@ namespace moldwright::cli {
 
 namespace {
 
-struct MoldOptions {
+struct MoldJob {
     std::string input;
     std::string folder;
-    std::optional<double> wall;
+    MoldOptions mold;
 };
 
 void describe(const Mold& mold, std::ostream& out) {
@@ -27,32 +28,35 @@ void describe(const Mold& mold, std::ostream& out) {
         out << "The mold was written, but it is not proved to open.\n";
     const Eigen::Vector3d size = mold.half1.size + Eigen::Vector3d(0, 0, mold.half2.size.z());
     out << "Block " << readable(size.x()) << " x " << readable(size.y()) << " x " << readable(size.z())
-        << " mm, cavity " << readable(mold.cavityVolume / 1000) << " cm³, smallest wall "
+        << " mm, " << mold.cavities << (mold.cavities == 1 ? " cavity, " : " cavities, ")
+        << readable((mold.cavityVolume + mold.channelVolume) / 1000) << " cm³ a shot, smallest wall "
         << readable(mold.minWall) << " mm.\n";
 }
 
-Result<ExitCode> build(const MoldOptions& options, const Session& session) {
+Result<ExitCode> build(const MoldJob& job, const Session& session) {
     session.task().progress(0, "Reading");
-    Result<StoredProject> stored = openProjectOrFolder(options.input);
+    Result<StoredProject> stored = openProjectOrFolder(job.input);
     if (!stored)
         return std::unexpected(stored.error());
     Project& project = stored->project;
     if (!project.cast)
         return failure(ErrorCode::BadInput, MW_TEXT("cli", "{0} holds no finished cast. Run design first."),
-                       {options.input});
-    if (options.wall)
-        project.mold.wall = project.mold.floor = project.mold.ceiling = *options.wall;
+                       {job.input});
+    const Result<MoldSettings> settings = job.mold.applied(project.mold);
+    if (!settings)
+        return std::unexpected(settings.error());
     const CastResult& cast = *project.cast;
-    const Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, project.mold,
+    const Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, *settings,
                                         session.task().part(0.1, 0.9));
     if (!mold)
         return std::unexpected(mold.error());
-    if (const Result<void> written = writeMold(*mold, project.name, options.folder); !written)
+    if (const Result<void> written = writeMold(*mold, project.name, job.folder); !written)
         return std::unexpected(written.error());
     session.task().progress(1, "Done");
     describe(*mold, session.out());
-    for (const std::string& problem : mold->problems)
-        session.tell({problem, {}});
+    for (const std::vector<std::string>* sentences : {&mold->notes, &mold->problems})
+        for (const std::string& sentence : *sentences)
+            session.tell({sentence, {}});
     if (const Result<void> written = session.writeJson(Json::parse(moldJson(*mold))); !written)
         return std::unexpected(written.error());
     return mold->verified() ? ExitCode::Yes : ExitCode::No;
@@ -73,18 +77,15 @@ constexpr const char* manual =
 
 Command moldCommand() {
     return {"mold", "Build, prove and write the two mold halves of a cast", manual, [](CLI::App& app) {
-                auto options = std::make_shared<MoldOptions>();
-                app.add_option("IN", options->input, "Project file, or folder written by design")
+                auto job = std::make_shared<MoldJob>();
+                app.add_option("IN", job->input, "Project file, or folder written by design")
                     ->type_name("FILE|DIR")
                     ->required();
-                app.add_option("--out", options->folder, "Folder for the mold's files")
+                app.add_option("--out", job->folder, "Folder for the mold's files")
                     ->type_name("DIR")
                     ->required();
-                app.add_option("--wall", options->wall,
-                               "Steel round the cavity on all sides, mm; the default is the project's")
-                    ->type_name("MM")
-                    ->check(CLI::PositiveNumber.description(""));
-                return Action([options](const Session& session) { return build(*options, session); });
+                job->mold.declare(app);
+                return Action([job](const Session& session) { return build(*job, session); });
             }};
 }
 

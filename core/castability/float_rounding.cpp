@@ -15,8 +15,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The two floats round `value`: the nearest first. Twice the same when it is a float.
-std::array<double, 2> neighbouringFloats(double value) {
+/// The two floats, or multiples of the grid, round `value`: the nearest first. Twice the same when it is one.
+std::array<double, 2> neighbours(double value, double grid) {
+    if (grid > 0) {
+        const double nearest = std::round(value / grid) * grid;
+        const double other = value == nearest ? nearest : nearest + (value > nearest ? grid : -grid);
+        return {nearest, other};
+    }
     const auto nearest = static_cast<float>(value);
     const auto rounded = static_cast<double>(nearest);
     if (rounded == value)
@@ -26,10 +31,11 @@ std::array<double, 2> neighbouringFloats(double value) {
 
 class Rounding {
 public:
-    Rounding(const IndexedMesh& exact, const SideLabels& labels, const Directions& directions, double tau)
-        : m_exact(exact), m_labels(labels), m_directions(directions), m_tau(tau), m_rounded(exact),
-          m_facesOf(static_cast<std::size_t>(exact.vertexCount())) {
-        m_rounded.V = exact.V.cast<float>().cast<double>();
+    Rounding(const IndexedMesh& exact, const SideLabels& labels, const Directions& directions, double tau,
+             double grid)
+        : m_exact(exact), m_labels(labels), m_directions(directions), m_tau(tau), m_grid(grid),
+          m_rounded(exact), m_facesOf(static_cast<std::size_t>(exact.vertexCount())) {
+        m_rounded.V = exact.V.unaryExpr([grid](double x) { return neighbours(x, grid)[0]; });
         for (int f = 0; f < exact.faceCount(); ++f)
             for (int k = 0; k < 3; ++k)
                 m_facesOf[static_cast<std::size_t>(exact.F(f, k))].push_back(f);
@@ -55,7 +61,7 @@ private:
         const Vector3d before = m_rounded.point(v);
         for (unsigned choice = 1; choice < 8; ++choice) {
             for (int axis = 0; axis < 3; ++axis)
-                m_rounded.V(v, axis) = neighbouringFloats(m_exact.V(v, axis))[(choice >> axis) & 1U];
+                m_rounded.V(v, axis) = neighbours(m_exact.V(v, axis), m_grid)[(choice >> axis) & 1U];
             const auto& faces = m_facesOf[static_cast<std::size_t>(v)];
             if (std::all_of(faces.begin(), faces.end(), [&](int f) { return passes(f); }))
                 return true;
@@ -68,6 +74,7 @@ private:
     const SideLabels& m_labels;
     const Directions& m_directions;
     double m_tau;
+    double m_grid;
     IndexedMesh m_rounded;
     std::vector<std::vector<int>> m_facesOf;
 };
@@ -75,8 +82,8 @@ private:
 } // namespace
 
 IndexedMesh roundKeepingDraft(const IndexedMesh& mesh, const SideLabels& labels, const Directions& directions,
-                              double draftDegrees) {
-    Rounding rounding(mesh, labels, directions, provableTolerance(draftDegrees));
+                              double draftDegrees, double grid) {
+    Rounding rounding(mesh, labels, directions, provableTolerance(draftDegrees), grid);
     for (int f = 0; f < mesh.faceCount(); ++f)
         if (!rounding.passes(f))
             rounding.mend(f);

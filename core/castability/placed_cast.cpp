@@ -64,14 +64,14 @@ void putOnPlane(IndexedMesh& mesh, const IndexedMesh& cast, const SideLabels& la
 } // namespace
 
 PlacedCast placeCast(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
-                     double draftDegrees) {
+                     double draftDegrees, double grid) {
     PlacedCast placed;
     placed.fromPart = motionToMold(cast, state.plane);
     placed.state.directions.d1 = (placed.fromPart.linear() * state.directions.d1).normalized();
     placed.state.directions.d2 = (placed.fromPart.linear() * state.directions.d2).normalized();
     IndexedMesh mesh{movedPoints(cast.V, placed.fromPart), cast.F};
     putOnPlane(mesh, cast, labels, state.plane);
-    placed.mesh = roundKeepingDraft(mesh, labels, placed.state.directions, draftDegrees);
+    placed.mesh = roundKeepingDraft(mesh, labels, placed.state.directions, draftDegrees, grid);
     return placed;
 }
 

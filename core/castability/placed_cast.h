@@ -17,8 +17,9 @@ struct PlacedCast {
 };
 
 /// Moves the cast into the mold's frame, turned about the plane's normal so that the box round it is small.
-/// Faces keep their draft through the rounding where floats allow it (roundKeepingDraft()).
+/// Faces keep their draft through the rounding where floats allow it (roundKeepingDraft()); with a `grid` the
+/// coordinates are multiples of it.
 [[nodiscard]] PlacedCast placeCast(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
-                                   double draftDegrees);
+                                   double draftDegrees, double grid = 0);
 
 } // namespace moldwright

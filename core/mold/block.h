@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "mesh/indexed_mesh.h"
-#include "mold/mold.h"
+#include "mold/mold_settings.h"
 
 #include <Eigen/Geometry>
 
 namespace moldwright {
 
-/// The box that both halves are cut from, mold's frame, mm: floats, centred in x and y over the origin.
+/// The box that both halves are cut from, mold's frame, mm; on the grid, centred in x over the origin.
 using Block = Eigen::AlignedBox3d;
 
-/// The block for a cast placed in the mold's frame: walls, floor and ceiling of `settings` at least, sizes
-/// rounded up to its step.
-[[nodiscard]] Block blockAround(const IndexedMesh& placedCast, const MoldSettings& settings);
-
-/// Least steel between the cavity and the outside of the block, mm, and the cavity point that has it.
-struct LeastWall {
-    double thickness = 0;
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+/// What the block must hold.
+struct BlockContent {
+    Eigen::AlignedBox3d cavities; ///< of all copies
+    double wallX = 5;             ///< steel at the faces left and right
+    double wallY = 5;             ///< at the face below, and above without a spout
+    double spoutTop = 0;          ///< y that the upper face must reach; below the wall's: none
 };
-[[nodiscard]] LeastWall leastWall(const IndexedMesh& placedCast, const Block& block);
+
+/// Walls, floor and ceiling at least, sizes rounded up to the settings' step.
+[[nodiscard]] Block blockAround(const BlockContent& content, const MoldSettings& settings, double grid);
 
 } // namespace moldwright

@@ -1,128 +1,195 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/half.h"
 
-#include "mold/cgal/constrained_triangulation.h"
+#include "features/cgal/constrained_triangulation.h"
+#include "mesh/edge_table.h"
+#include "mesh/weld.h"
 
+#include <algorithm>
 #include <array>
+#include <map>
 
 namespace moldwright {
 
 namespace {
 
-using Eigen::RowVector3i;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The block's corner k of four, counter-clockwise seen from side 1, at height z.
-Vector3d corner(const Block& block, int k, double z) {
-    return {k == 1 || k == 2 ? block.max().x() : block.min().x(), k >= 2 ? block.max().y() : block.min().y(),
-            z};
-}
+/// One of the six flat faces that close a half: coordinate `axis` is `value`, and it looks along ± that axis.
+struct Flat {
+    int axis = 2;
+    double value = 0;
+    bool positive = true;
+};
 
-/// Collects the faces of one half, renumbering the points of the cast that it uses.
-class HalfBuilder {
+class HalfAssembly {
 public:
-    HalfBuilder(int side, const IndexedMesh& cast)
-        : m_side(side), m_cast(cast), m_numberOf(static_cast<std::size_t>(cast.vertexCount()), -1) {}
-
-    int castPoint(int v) {
-        int& number = m_numberOf[static_cast<std::size_t>(v)];
-        if (number < 0)
-            number = point(m_cast.point(v));
-        return number;
+    HalfAssembly(int side, IndexedMesh surface, const Block& block)
+        : m_surface(std::move(surface)), m_end(side == 1 ? block.max().z() : block.min().z()) {
+        for (int k = 0; k < 4; ++k)
+            for (const double z : {0.0, m_end}) {
+                const bool right = k == 1 || k == 2;
+                m_corners.emplace_back(right ? block.max().x() : block.min().x(),
+                                       k >= 2 ? block.max().y() : block.min().y(), z);
+            }
+        for (const Vector3d& p : m_corners)
+            m_points.push_back(p);
+        m_flats = {{2, 0, side == 2},
+                   {2, m_end, side == 1},
+                   {0, block.min().x(), false},
+                   {0, block.max().x(), true},
+                   {1, block.min().y(), false},
+                   {1, block.max().y(), true}};
     }
-    int point(const Vector3d& p) {
-        m_points.push_back(p);
-        return static_cast<int>(m_points.size()) - 1;
-    }
-    void face(int a, int b, int c) { m_faces.emplace_back(a, b, c); }
-    /// A face given as it would be on half 1; half 2 is its mirror image in the plane.
-    void mirroredFace(int a, int b, int c) { m_side == 1 ? face(a, b, c) : face(a, c, b); }
 
-    [[nodiscard]] IndexedMesh mesh() const {
-        IndexedMesh mesh;
-        mesh.V.resize(static_cast<Eigen::Index>(m_points.size()), 3);
+    std::optional<IndexedMesh> closed() {
+        std::array<std::vector<std::array<int, 2>>, 6> segments = borders();
+        addBlockEdges(segments);
+        for (std::size_t i = 0; i < m_flats.size(); ++i)
+            if (!addFlat(m_flats[i], segments[i]))
+                return std::nullopt;
+        IndexedMesh flats;
+        flats.V.resize(static_cast<Eigen::Index>(m_points.size()), 3);
         for (std::size_t v = 0; v < m_points.size(); ++v)
-            mesh.V.row(static_cast<Eigen::Index>(v)) = m_points[v].transpose();
-        mesh.F.resize(static_cast<Eigen::Index>(m_faces.size()), 3);
+            flats.V.row(static_cast<Eigen::Index>(v)) = m_points[v].transpose();
+        flats.F.resize(static_cast<Eigen::Index>(m_faces.size()), 3);
         for (std::size_t f = 0; f < m_faces.size(); ++f)
-            mesh.F.row(static_cast<Eigen::Index>(f)) = m_faces[f];
-        return mesh;
+            flats.F.row(static_cast<Eigen::Index>(f)) = m_faces[f];
+        return weldedTogether({m_surface, flats});
     }
 
 private:
-    int m_side;
-    const IndexedMesh& m_cast;
-    std::vector<int> m_numberOf;
-    std::vector<Vector3d> m_points;
-    std::vector<RowVector3i> m_faces;
-};
-
-void addCavity(HalfBuilder& half, int side, const IndexedMesh& cast, const SideLabels& labels) {
-    for (int f = 0; f < cast.faceCount(); ++f)
-        if (labels[static_cast<std::size_t>(f)] == side)
-            half.face(half.castPoint(cast.F(f, 0)), half.castPoint(cast.F(f, 2)),
-                      half.castPoint(cast.F(f, 1)));
-}
-
-/// Parting face, walls and top (bottom for half 2).
-void addBlock(HalfBuilder& half, int side, const PartingFace& parting, const Block& block) {
-    std::vector<int> inPlane;
-    inPlane.reserve(parting.castPoints.size() + 4);
-    for (const int v : parting.castPoints)
-        inPlane.push_back(half.castPoint(v));
-    for (int k = 0; k < 4; ++k)
-        inPlane.push_back(half.point(corner(block, k, 0)));
-    for (const auto& t : parting.faces.rowwise())
-        half.mirroredFace(inPlane[static_cast<std::size_t>(t[0])], inPlane[static_cast<std::size_t>(t[2])],
-                          inPlane[static_cast<std::size_t>(t[1])]);
-    const double end = side == 1 ? block.max().z() : block.min().z();
-    const int* foot = &inPlane[parting.castPoints.size()];
-    std::array<int, 4> top{};
-    for (int k = 0; k < 4; ++k)
-        top[static_cast<std::size_t>(k)] = half.point(corner(block, k, end));
-    for (std::size_t k = 0; k < 4; ++k) {
-        const std::size_t next = (k + 1) % 4;
-        half.mirroredFace(foot[k], foot[next], top[next]);
-        half.mirroredFace(foot[k], top[next], top[k]);
+    int pointOf(int v) {
+        const auto [at, isNew] = m_numberOf.try_emplace(v, static_cast<int>(m_points.size()));
+        if (isNew)
+            m_points.push_back(m_surface.point(v));
+        return at->second;
     }
-    half.mirroredFace(top[0], top[1], top[2]);
-    half.mirroredFace(top[0], top[2], top[3]);
-}
+
+    /// The surface's open edges, by the flat face that they lie in.
+    std::array<std::vector<std::array<int, 2>>, 6> borders() {
+        std::array<std::vector<std::array<int, 2>>, 6> found;
+        const EdgeTable edges(m_surface.F);
+        for (int e = 0; e < edges.edgeCount(); ++e) {
+            const auto sides = edges.sidesAt(e);
+            if (sides.size() != 1)
+                continue;
+            const Vector3d a = m_surface.point(sides[0].low);
+            const Vector3d b = m_surface.point(sides[0].high);
+            for (std::size_t i = 0; i < m_flats.size(); ++i)
+                if (a[m_flats[i].axis] == m_flats[i].value && b[m_flats[i].axis] == m_flats[i].value) {
+                    found[i].push_back({pointOf(sides[0].low), pointOf(sides[0].high)});
+                    break;
+                }
+        }
+        return found;
+    }
+
+    /// The block's twelve edges. Those in the parting plane are interrupted where something opens into the face.
+    void addBlockEdges(std::array<std::vector<std::array<int, 2>>, 6>& segments) {
+        for (int k = 0; k < 4; ++k) {
+            const int next = (k + 1) % 4;
+            addEdge(segments, 2 * k, 2 * next);
+            addEdge(segments, 2 * k + 1, 2 * next + 1);
+            addEdge(segments, 2 * k, 2 * k + 1);
+        }
+    }
+    void addEdge(std::array<std::vector<std::array<int, 2>>, 6>& segments, int from, int to) {
+        const Vector3d a = m_points[static_cast<std::size_t>(from)];
+        const Vector3d b = m_points[static_cast<std::size_t>(to)];
+        const Vector3d along = (b - a).normalized();
+        std::vector<std::pair<double, int>> openings;
+        for (std::size_t v = m_corners.size(); v < m_points.size(); ++v) {
+            const Vector3d p = m_points[v] - a;
+            if ((p - along * p.dot(along)).squaredNorm() == 0)
+                openings.emplace_back(p.dot(along), static_cast<int>(v));
+        }
+        std::sort(openings.begin(), openings.end());
+        std::vector<int> stops{from};
+        for (const auto& [at, v] : openings)
+            stops.push_back(v);
+        stops.push_back(to);
+        for (std::size_t i = 0; i + 1 < stops.size(); i += 2)
+            for (std::size_t flat = 0; flat < m_flats.size(); ++flat)
+                if (a[m_flats[flat].axis] == m_flats[flat].value && b[m_flats[flat].axis] == m_flats[flat].value)
+                    segments[flat].push_back({stops[i], stops[i + 1]});
+    }
+
+    bool addFlat(const Flat& flat, const std::vector<std::array<int, 2>>& segments) {
+        std::map<int, int> numberOf;
+        std::vector<int> used;
+        std::vector<Vector2d> points;
+        std::vector<std::array<int, 2>> outline;
+        const int u = (flat.axis + 1) % 3; // (u, v, axis) is right-handed
+        const int v = (flat.axis + 2) % 3;
+        for (const auto& segment : segments) {
+            std::array<int, 2> ends{};
+            for (std::size_t k = 0; k < 2; ++k) {
+                const auto [at, isNew] = numberOf.try_emplace(segment[k], static_cast<int>(used.size()));
+                if (isNew) {
+                    used.push_back(segment[k]);
+                    const Vector3d& p = m_points[static_cast<std::size_t>(segment[k])];
+                    points.emplace_back(p[u], p[v]);
+                }
+                ends[k] = at->second;
+            }
+            outline.push_back(ends);
+        }
+        const std::optional<Triangles> faces = triangulateRegion(points, outline);
+        if (!faces)
+            return false;
+        for (const auto& t : faces->rowwise()) {
+            const auto point = [&](int k) { return used[static_cast<std::size_t>(t[k])]; };
+            m_faces.emplace_back(point(0), point(flat.positive ? 1 : 2), point(flat.positive ? 2 : 1));
+        }
+        return true;
+    }
+
+    IndexedMesh m_surface;
+    double m_end;
+    std::vector<Vector3d> m_corners;
+    std::vector<Flat> m_flats;
+    std::vector<Vector3d> m_points; ///< the block's corners, then the borders'
+    std::map<int, int> m_numberOf;
+    std::vector<Eigen::RowVector3i> m_faces;
+};
 
 } // namespace
 
-std::optional<PartingFace> partingFace(const IndexedMesh& placedCast, const std::vector<PartingCurve>& curves,
-                                       const Block& block) {
-    PartingFace parting;
-    std::vector<Eigen::Vector2d> points;
-    std::vector<std::array<int, 2>> segments;
-    const auto addOutline = [&](int first, int count) {
-        for (int k = 0; k < count; ++k)
-            segments.push_back({first + k, first + (k + 1) % count});
-    };
-    for (const PartingCurve& curve : curves) {
-        addOutline(static_cast<int>(points.size()), static_cast<int>(curve.size()));
-        for (const int v : curve) {
-            parting.castPoints.push_back(v);
-            points.emplace_back(placedCast.V(v, 0), placedCast.V(v, 1));
-        }
-    }
-    addOutline(static_cast<int>(points.size()), 4);
-    for (int k = 0; k < 4; ++k)
-        points.emplace_back(corner(block, k, 0).head<2>());
-    const std::optional<Triangles> faces = triangulateRegion(points, segments);
-    if (!faces)
-        return std::nullopt;
-    parting.faces = *faces;
-    return parting;
+std::optional<IndexedMesh> assembleHalf(int side, const HalfSurfaces& surfaces, const Block& block) {
+    std::vector<IndexedMesh> all = surfaces.bosses;
+    for (const IndexedMesh& mesh : surfaces.voids)
+        all.push_back(insideOut(mesh));
+    return HalfAssembly(side, weldedTogether(all), block).closed();
 }
 
-IndexedMesh assembleHalf(int side, const IndexedMesh& placedCast, const SideLabels& labels,
-                         const PartingFace& parting, const Block& block) {
-    HalfBuilder half(side, placedCast);
-    addCavity(half, side, placedCast, labels);
-    addBlock(half, side, parting, block);
-    return half.mesh();
+IndexedMesh weldedTogether(const std::vector<IndexedMesh>& meshes) {
+    Eigen::Index points = 0;
+    Eigen::Index faces = 0;
+    for (const IndexedMesh& mesh : meshes) {
+        points += mesh.V.rows();
+        faces += mesh.F.rows();
+    }
+    IndexedMesh all{Points(points, 3), Triangles(faces, 3)};
+    points = faces = 0;
+    for (const IndexedMesh& mesh : meshes) {
+        all.V.middleRows(points, mesh.V.rows()) = mesh.V;
+        all.F.middleRows(faces, mesh.F.rows()) = (mesh.F.array() + static_cast<int>(points)).matrix();
+        points += mesh.V.rows();
+        faces += mesh.F.rows();
+    }
+    return weldEqualPoints(withoutUnusedPoints(all).mesh).mesh;
+}
+
+IndexedMesh insideOut(IndexedMesh mesh) {
+    mesh.F.col(1).swap(mesh.F.col(2));
+    return mesh;
+}
+
+IndexedMesh movedInPlane(IndexedMesh mesh, const Vector2d& by) {
+    mesh.V.leftCols(2).rowwise() += by.transpose();
+    return mesh;
 }
 
 } // namespace moldwright

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "castability/mold_state.h"
-#include "castability/parting_curves.h"
 #include "mesh/indexed_mesh.h"
 #include "mold/block.h"
 
@@ -11,21 +9,25 @@
 
 namespace moldwright {
 
-/// The flat faces in which the halves meet: the block's rectangle less what the parting curves enclose.
-struct PartingFace {
-    std::vector<int> castPoints; ///< points of the parting curves, as indices into the cast
-    Triangles faces; ///< seen from side 1 counter-clockwise; indices into castPoints, then the four corners
+/// The surfaces that one half shows to what is not air, each looking out of the solid it belongs to and open
+/// where it meets the parting plane or the block's faces.
+struct HalfSurfaces {
+    std::vector<IndexedMesh> voids;  ///< cavities, channels, sockets, slits: turned inside out they bound the half
+    std::vector<IndexedMesh> bosses; ///< keys: they belong to it
 };
 
-/// Triangulates the parting face between the block's outline and the curves. Inside an even number of curves
-/// there is steel: the middle of a ring belongs to it. None when the curves cross.
-[[nodiscard]] std::optional<PartingFace>
-partingFace(const IndexedMesh& placedCast, const std::vector<PartingCurve>& curves, const Block& block);
+/// Mold half `side`: a graph over the plane, so no boolean operation is needed. Its surfaces, and flat faces that
+/// close them: the parting face, the block's walls with the mouths of spout and slits, its top with those of
+/// vents. Surfaces that meet must have their points in common, to the bit. None where borders cross.
+[[nodiscard]] std::optional<IndexedMesh> assembleHalf(int side, const HalfSurfaces& surfaces, const Block& block);
 
-/// Mold half `side`: a graph over the plane, so no boolean operation is needed. The cast's faces of that
-/// label turned inside out, the parting face, and the block's walls and top. Both halves use the same points
-/// of the plane, so they meet exactly.
-[[nodiscard]] IndexedMesh assembleHalf(int side, const IndexedMesh& placedCast, const SideLabels& labels,
-                                       const PartingFace& parting, const Block& block);
+/// Meshes as one, equal points welded.
+[[nodiscard]] IndexedMesh weldedTogether(const std::vector<IndexedMesh>& meshes);
+
+/// The mesh inside out.
+[[nodiscard]] IndexedMesh insideOut(IndexedMesh mesh);
+
+/// The mesh moved in the plane.
+[[nodiscard]] IndexedMesh movedInPlane(IndexedMesh mesh, const Eigen::Vector2d& by);
 
 } // namespace moldwright

@@ -7,7 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace moldwright {
 
@@ -17,34 +19,86 @@ using Json = nlohmann::ordered_json;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-Json json(const Vector3d& v) {
+/// Shop practice: what is mixed over what is filled.
+constexpr double mixAllowance = 1.1;
+
+Json vectorJson(const Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
 Json json(const MoldHalf& half) {
-    return {{"volume", half.volume}, {"size", json(half.size)}, {"faces", half.mesh->faceCount()}};
+    return {{"volume", half.volume}, {"size", vectorJson(half.size)}, {"faces", half.mesh->faceCount()}};
 }
 
-Json json(const Isometry3d& motion) {
-    Json rows = Json::array();
+Json rows(const Eigen::Matrix4d& matrix) {
+    Json all = Json::array();
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
-            rows.push_back(motion.matrix()(row, column));
-    return rows;
+            all.push_back(matrix(row, column));
+    return all;
+}
+
+/// Part's frame to mold's frame: made larger first, then moved.
+Json partToMold(const Mold& mold) {
+    const MoldSettings& settings = mold.settings;
+    Eigen::Affine3d larger = Eigen::Affine3d::Identity();
+    larger.linear() = mold.shrinkFactors.asDiagonal();
+    larger.translation() = settings.shrink.origin - mold.shrinkFactors.cwiseProduct(settings.shrink.origin);
+    return rows((mold.partToMold * larger).matrix());
 }
 
 Json features(const Mold& mold) {
-    return {{{"kind", "block"},
-             {"name", "Block"},
-             {"size",
-              json({mold.half1.size.x(), mold.half1.size.y(), mold.half1.size.z() + mold.half2.size.z()})},
-             {"wall", mold.settings.wall},
-             {"floor", mold.settings.floor},
-             {"ceiling", mold.settings.ceiling}},
-            {{"kind", "cavity"},
-             {"name", "Cavity"},
-             {"volume", mold.cavityVolume},
-             {"size", json(boundingBox(*mold.cast).sizes())}}};
+    Json all = Json::array();
+    for (const MoldFeature& feature : mold.features) {
+        Json json = {{"kind", feature.kind}, {"name", feature.name}, {"place", vectorJson(feature.place)}};
+        for (const auto& [key, value] : feature.numbers)
+            json[key] = value;
+        if (!feature.note.empty())
+            json["note"] = feature.note;
+        all.push_back(std::move(json));
+    }
+    return all;
+}
+
+Json steel(const Mold& mold) {
+    Json all = Json::array();
+    for (const ThinSteel& thin : mold.steel)
+        all.push_back({{"thickness", thin.thickness},
+                       {"between", {thin.first, thin.second}},
+                       {"place", vectorJson(thin.place)},
+                       {"below_limit", thin.thickness < mold.settings.leastSteel}});
+    return all;
+}
+
+/// What a shot takes: in cm³, and in grams where the density is known.
+Json shot(const Mold& mold) {
+    const double volume = (mold.cavityVolume + mold.channelVolume) / 1000;
+    Json json = {{"volume_cm3", volume}, {"allowance", mixAllowance}, {"mix_cm3", volume * mixAllowance}};
+    if (mold.settings.density > 0) {
+        json["density"] = mold.settings.density;
+        json["mass_g"] = volume * mold.settings.density;
+        json["mix_g"] = volume * mold.settings.density * mixAllowance;
+    }
+    if (mold.settings.blockDensity > 0)
+        json["block_mass_g"] =
+            (mold.half1.volume + mold.half2.volume) / 1000 * mold.settings.blockDensity;
+    return json;
+}
+
+Json shrink(const Mold& mold) {
+    const ShrinkSettings& shrink = mold.settings.shrink;
+    return {{"percent", vectorJson(shrink.percent)},
+            {"formula", shrink.formula == ShrinkFormula::Plus ? "plus" : "divide"},
+            {"factors", vectorJson(mold.shrinkFactors)},
+            {"origin", vectorJson(shrink.origin)}};
+}
+
+/// A press that closes along d needs more than the force along n, and holds the difference sideways.
+Json press(const Mold& mold, int side) {
+    const Vector3d& d = mold.directions.of(side);
+    const double cosine = std::abs(d.z());
+    return {{"force_along_d", mold.clampForce / cosine},
+            {"side_load", mold.clampForce * std::sqrt(std::max(0.0, 1 - cosine * cosine)) / cosine}};
 }
 
 /// Half 2 as it lies, half 1 turned over beside it, then the cast; all standing on the plate.
@@ -81,21 +135,32 @@ Result<void> writeMeshes(const Mold& mold, const std::filesystem::path& folder) 
 std::string moldJson(const Mold& mold) {
     Json whole = {{"version", 1},
                   {"verified", mold.verified()},
-                  {"d1", json(mold.directions.d1)},
-                  {"d2", json(mold.directions.d2)},
+                  {"d1", vectorJson(mold.directions.d1)},
+                  {"d2", vectorJson(mold.directions.d2)},
                   {"draft_deg", mold.draftDegrees},
                   {"worst_draft_deg", mold.castCertificate.worstDraftDegrees},
-                  {"part_to_mold", json(mold.partToMold)},
+                  {"part_to_mold", partToMold(mold)},
+                  {"shrink", shrink(mold)},
+                  {"cavities", mold.cavities},
                   {"half1", json(mold.half1)},
                   {"half2", json(mold.half2)},
+                  {"block_volume", mold.blockVolume},
                   {"cavity_volume", mold.cavityVolume},
                   {"channel_volume", mold.channelVolume},
+                  {"other_volume", mold.otherVolume},
+                  {"shot", shot(mold)},
                   {"parting_area", mold.partingArea},
                   {"clamp_force", mold.clampForce},
                   {"clamp_pressure_bar", mold.settings.pressure},
+                  {"press1", press(mold, 1)},
+                  {"press2", press(mold, 2)},
                   {"min_wall", mold.minWall},
-                  {"min_wall_at", json(mold.minWallPlace)},
+                  {"min_wall_at", vectorJson(mold.minWallPlace)},
+                  {"steel", steel(mold)},
                   {"features", features(mold)},
+                  {"path_lengths", mold.pathLengths},
+                  {"trapped_air", mold.trappedAir},
+                  {"notes", mold.notes},
                   {"problems", mold.problems}};
     return whole.dump(2) + "\n";
 }

@@ -81,4 +81,8 @@ HalfRelease examineRelease(const IndexedMesh& half, const IndexedMesh& other, co
     return release;
 }
 
+bool leavesOther(const IndexedMesh& half, const IndexedMesh& other, const Vector3d& d) {
+    return facesMeeting(half, other, d).empty();
+}
+
 } // namespace moldwright

@@ -2,7 +2,7 @@
 #include "mold/section.h"
 
 #include "mesh/measures.h"
-#include "mold/cgal/constrained_triangulation.h"
+#include "features/cgal/constrained_triangulation.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/project_json.h"
 
+#include "project/mold_settings_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -98,18 +100,6 @@ DesignSettings designSettings(const Json& j) {
     return design;
 }
 
-Json json(const MoldSettings& mold) {
-    return {{"wall", mold.wall},
-            {"floor", mold.floor},
-            {"ceiling", mold.ceiling},
-            {"step", mold.step},
-            {"pressure_bar", mold.pressure}};
-}
-MoldSettings moldSettings(const Json& j) {
-    return {j.at("wall").get<double>(), j.at("floor").get<double>(), j.at("ceiling").get<double>(),
-            j.at("step").get<double>(), j.at("pressure_bar").get<double>()};
-}
-
 Json json(const CastResult& cast) {
     Json limbs = Json::array();
     for (const LimbMeasure& limb : cast.limbs)
@@ -147,7 +137,7 @@ nlohmann::ordered_json documentJson(const Project& project) {
                      {"placement", json(project.placement)},
                      {"plane_chosen_by_hand", project.planeChosenByHand},
                      {"design", json(project.design)},
-                     {"mold", json(project.mold)},
+                     {"mold", moldSettingsJson(project.mold)},
                      {"pins", Json::array()}};
     for (const Pin& pin : project.pins)
         document["pins"].push_back(json(pin.point));
@@ -169,7 +159,7 @@ void readDocument(const nlohmann::ordered_json& document, Project& project, std:
     project.placement = placement(document.at("placement"));
     project.planeChosenByHand = document.at("plane_chosen_by_hand").get<bool>();
     project.design = designSettings(document.at("design"));
-    project.mold = moldSettings(document.at("mold"));
+    project.mold = moldSettingsFrom(document.at("mold"));
     for (const Json& pin : document.at("pins"))
         project.pins.push_back({vector(pin)});
     if (document.contains("undercuts"))

@@ -41,7 +41,7 @@ bool startsWith(const std::string& text, const std::string& start) {
 }
 
 const std::vector<std::string> roomsFromTheGroundUp = {"base", "mesh",        "exchange", "castability",
-                                                       "pins", "deformation", "fill",     "design",
+                                                       "pins", "deformation", "fill",     "design", "features",
                                                        "mold", "report",      "project"};
 
 } // namespace

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/mold_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <map>
+
+namespace moldwright::cli {
+
+namespace {
+
+template <class T>
+void take(T& value, const std::optional<T>& given) {
+    if (given)
+        value = *given;
+}
+
+CLI::Option* length(CLI::App& app, const std::string& name, std::optional<double>& value,
+                    const std::string& help) {
+    return app.add_option(name, value, help)->type_name("MM")->check(CLI::PositiveNumber.description(""));
+}
+
+void declareBlock(CLI::App& app, std::optional<double>& step) {
+    app.add_option("--size-step", step, "Block sizes round up to a multiple of this, mm; 0: not rounded")
+        ->type_name("MM")
+        ->check(CLI::NonNegativeNumber.description(""));
+}
+
+} // namespace
+
+void MoldOptions::declare(CLI::App& app) {
+    length(app, "--wall", wall, "Steel round the cavities on all sides; the default is the project's");
+    length(app, "--side-wall", side, "Steel at the sides alone");
+    length(app, "--floor", floor, "Steel under the cavities of half 2");
+    length(app, "--ceiling", ceiling, "Steel over the cavities of half 1");
+    declareBlock(app, step);
+    length(app, "--least-steel", leastSteel, "Kept between features that are placed automatically");
+    app.add_option("--pressure", pressure, "In the cavity while it fills, for the clamp force")
+        ->type_name("BAR")
+        ->check(CLI::PositiveNumber.description(""));
+    app.add_option("--density", density, "Of what is cast, for its mass")
+        ->type_name("G/CM3")
+        ->check(CLI::PositiveNumber.description(""));
+    app.add_option("--block-density", blockDensity, "Of the block, for its mass")
+        ->type_name("G/CM3")
+        ->check(CLI::PositiveNumber.description(""));
+
+    app.add_option("--cavities", cavities, "Rows x columns of cavities, or their number")->type_name("RxC");
+    app.add_option("--layout", arrangement, "How they stand")
+        ->check(CLI::IsMember({"grid", "staggered", "packed"}));
+    app.add_option("--alternate", alternate, "Every second cavity turned, turned over, or mirrored")
+        ->check(CLI::IsMember({"none", "turn", "flip", "mirror"}));
+    length(app, "--spacing", spacing, "Steel between cavities, and between them and channels");
+
+    app.add_option("--shrink", shrink, "Linear shrink to make up for, in percent: one number, or x y z of the part")
+        ->type_name("PERCENT")
+        ->expected(1, 3);
+    app.add_option("--shrink-formula", shrinkFormula, "plus: 1+S, divide: 1/(1-S)")
+        ->check(CLI::IsMember({"plus", "divide"}));
+    app.add_option("--shrink-origin", shrinkOrigin, "The point of the part that stays, mm")
+        ->type_name("X Y Z")
+        ->expected(3);
+
+    app.add_option("--spout", spout, "A spout in the parting plane, with runners to all cavities")
+        ->check(CLI::IsMember({"auto", "none"}));
+    app.add_option("--pour", pour, "Which way is up while filling, as a turn of the cast in degrees")
+        ->check(CLI::IsMember({"auto", "0", "90", "180", "270"}));
+    length(app, "--spout-diameter", spoutDiameter, "Width of spout and main runner");
+    length(app, "--funnel", funnel, "Width of the spout at the block's face");
+    length(app, "--gate", gate, "Width where it meets the cavity");
+    app.add_option("--spout-draft", spoutDraft, "Draft of the channels' walls")->type_name("DEG");
+    app.add_option("--vents", vents, "Vents where air would stay")->check(CLI::IsMember({"auto", "none"}));
+    length(app, "--vent-diameter", ventDiameter, "At the narrowest");
+    app.add_option("--smallest-trap", smallestTrap, "Air that may stay")->type_name("MM3");
+
+    app.add_option("--keys", keys, "Registration keys")->type_name("N")->check(CLI::Range(0, 8));
+    length(app, "--key-diameter", keyDiameter, "At the parting plane; one is larger");
+    length(app, "--key-height", keyHeight, "Of the keys");
+    length(app, "--key-clearance", keyClearance, "Between key and socket");
+    app.add_option("--key-lean", keyLean, "Draft of the keys")->type_name("DEG");
+    app.add_option("--slits", slits, "Wedge slits at the sides")->type_name("N")->check(CLI::Range(0, 8));
+    length(app, "--slit-depth", slitDepth, "Into the block");
+    length(app, "--slit-width", slitWidth, "Along its face");
+    length(app, "--slit-height", slitHeight, "In each half");
+}
+
+Result<MoldSettings> MoldOptions::applied(MoldSettings settings) const {
+    applyBlock(settings);
+    if (Result<void> done = applyLayout(settings.layout); !done)
+        return std::unexpected(done.error());
+    if (Result<void> done = applyShrink(settings.shrink); !done)
+        return std::unexpected(done.error());
+    if (Result<void> done = applyChannels(settings); !done)
+        return std::unexpected(done.error());
+    applyRegistration(settings);
+    return settings;
+}
+
+void MoldOptions::applyBlock(MoldSettings& settings) const {
+    if (wall)
+        settings.wall = settings.floor = settings.ceiling = *wall;
+    take(settings.wall, side);
+    take(settings.floor, floor);
+    take(settings.ceiling, ceiling);
+    take(settings.step, step);
+    take(settings.pressure, pressure);
+    take(settings.leastSteel, leastSteel);
+    take(settings.density, density);
+    take(settings.blockDensity, blockDensity);
+}
+
+Result<void> MoldOptions::applyLayout(LayoutSettings& layout) const {
+    static const std::map<std::string, Arrangement> arrangements = {
+        {"grid", Arrangement::Grid}, {"staggered", Arrangement::Staggered}, {"packed", Arrangement::Packed}};
+    static const std::map<std::string, Alternation> alternations = {{"none", Alternation::None},
+                                                                    {"turn", Alternation::Turn},
+                                                                    {"flip", Alternation::Flip},
+                                                                    {"mirror", Alternation::Mirror}};
+    if (!arrangement.empty())
+        layout.arrangement = arrangements.at(arrangement);
+    if (!alternate.empty())
+        layout.alternation = alternations.at(alternate);
+    take(layout.spacing, spacing);
+    if (cavities.empty())
+        return {};
+    constexpr int most = 400;
+    int rows = 1;
+    int columns = 0;
+    const char* end = cavities.data() + cavities.size();
+    auto read = std::from_chars(cavities.data(), end, columns);
+    if (read.ec == std::errc() && read.ptr != end && (*read.ptr == 'x' || *read.ptr == 'X')) {
+        rows = columns;
+        read = std::from_chars(read.ptr + 1, end, columns);
+    }
+    if (read.ec != std::errc() || read.ptr != end || rows < 1 || columns < 1 || rows > most / columns)
+        return failure(ErrorCode::Usage,
+                       MW_TEXT("cli", "--cavities takes rows x columns, as 2x3, with at most {0} cavities."),
+                       {std::to_string(most)});
+    layout.rows = rows;
+    layout.columns = columns;
+    return {};
+}
+
+Result<void> MoldOptions::applyShrink(ShrinkSettings& settings) const {
+    if (shrink.size() == 2)
+        return failure(ErrorCode::Usage, MW_TEXT("cli", "--shrink takes one number, or three: along x, y and z."));
+    if (shrink.size() == 1)
+        settings.percent.setConstant(shrink[0]);
+    if (shrink.size() == 3)
+        settings.percent = Eigen::Vector3d(shrink[0], shrink[1], shrink[2]);
+    if (!shrinkFormula.empty())
+        settings.formula = shrinkFormula == "plus" ? ShrinkFormula::Plus : ShrinkFormula::Divide;
+    if (!shrinkOrigin.empty())
+        settings.origin = Eigen::Vector3d(shrinkOrigin[0], shrinkOrigin[1], shrinkOrigin[2]);
+    return {};
+}
+
+Result<void> MoldOptions::applyChannels(MoldSettings& settings) const {
+    static const std::map<std::string, PourDirection> pours = {{"auto", PourDirection::Automatic},
+                                                               {"0", PourDirection::Turn0},
+                                                               {"90", PourDirection::Turn90},
+                                                               {"180", PourDirection::Turn180},
+                                                               {"270", PourDirection::Turn270}};
+    if (!spout.empty())
+        settings.spout.on = spout == "auto";
+    if (!pour.empty())
+        settings.spout.pour = pours.at(pour);
+    if (spoutDiameter) {
+        // Gate and funnel keep their proportion unless they are given.
+        settings.spout.gate *= *spoutDiameter / settings.spout.diameter;
+        settings.spout.funnel *= *spoutDiameter / settings.spout.diameter;
+        settings.spout.diameter = *spoutDiameter;
+    }
+    take(settings.spout.funnel, funnel);
+    take(settings.spout.gate, gate);
+    take(settings.spout.draft, spoutDraft);
+    if (!vents.empty())
+        settings.vents.on = vents == "auto";
+    take(settings.vents.diameter, ventDiameter);
+    take(settings.vents.smallestTrap, smallestTrap);
+    return {};
+}
+
+void MoldOptions::applyRegistration(MoldSettings& settings) const {
+    take(settings.keys.count, keys);
+    take(settings.keys.diameter, keyDiameter);
+    take(settings.keys.height, keyHeight);
+    take(settings.keys.clearance, keyClearance);
+    take(settings.keys.draft, keyLean);
+    take(settings.slits.count, slits);
+    take(settings.slits.depth, slitDepth);
+    take(settings.slits.width, slitWidth);
+    take(settings.slits.height, slitHeight);
+}
+
+} // namespace moldwright::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "mold/mold_settings.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace moldwright::cli {
+
+/// Options that say what a mold is made of. What is not given stays as the project has it.
+struct MoldOptions {
+    /// Declares --wall, --cavities, --spout, --vents, --keys, --slits, --shrink and those that refine them.
+    void declare(CLI::App& app);
+
+    /// `settings` with what was given. Errors: Usage.
+    [[nodiscard]] Result<MoldSettings> applied(MoldSettings settings) const;
+
+private:
+    [[nodiscard]] Result<void> applyLayout(LayoutSettings& layout) const;
+    [[nodiscard]] Result<void> applyShrink(ShrinkSettings& shrink) const;
+    [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;
+    void applyBlock(MoldSettings& settings) const;
+    void applyRegistration(MoldSettings& settings) const;
+
+    std::optional<double> wall, side, floor, ceiling, step, pressure, leastSteel, density, blockDensity;
+    std::string cavities, arrangement, alternate;
+    std::optional<double> spacing;
+    std::vector<double> shrink, shrinkOrigin;
+    std::string shrinkFormula;
+    std::string spout, pour, vents;
+    std::optional<double> spoutDiameter, funnel, gate, spoutDraft, ventDiameter, smallestTrap;
+    std::optional<int> keys, slits;
+    std::optional<double> keyDiameter, keyHeight, keyClearance, keyLean, slitDepth, slitWidth, slitHeight;
+};
+
+} // namespace moldwright::cli

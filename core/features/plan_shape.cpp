@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "features/plan_shape.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace moldwright {
+
+namespace {
+
+using Eigen::Vector2d;
+
+double cross(const Vector2d& a, const Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+double distanceToSegment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+    const Vector2d along = b - a;
+    const double length = along.squaredNorm();
+    const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0.0;
+    return (p - a - t * along).norm();
+}
+
+bool segmentsCross(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
+    return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
+}
+
+} // namespace
+
+PlanShape planHull(const Points& V) {
+    std::vector<Vector2d> points;
+    points.reserve(static_cast<std::size_t>(V.rows()));
+    for (const auto& p : V.rowwise())
+        points.emplace_back(p.head<2>());
+    std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    });
+    // Lower chain, then the upper one back again.
+    PlanShape hull;
+    const auto chain = [&](auto begin, auto end) {
+        const std::size_t start = hull.size();
+        for (auto p = begin; p != end; ++p) {
+            while (hull.size() >= start + 2 &&
+                   cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0)
+                hull.pop_back();
+            hull.push_back(*p);
+        }
+        hull.pop_back();
+    };
+    chain(points.begin(), points.end());
+    chain(points.rbegin(), points.rend());
+    return hull;
+}
+
+double planDistance(const PlanShape& a, const PlanShape& b) {
+    if (insidePlan(a, b.front()) || insidePlan(b, a.front()))
+        return 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const Vector2d& a1 = a[(i + 1) % a.size()];
+            const Vector2d& b1 = b[(j + 1) % b.size()];
+            if (segmentsCross(a[i], a1, b[j], b1))
+                return 0;
+            least = std::min({least, distanceToSegment(a[i], b[j], b1), distanceToSegment(b[j], a[i], a1)});
+        }
+    return least;
+}
+
+bool insidePlan(const PlanShape& shape, const Vector2d& p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+        const Vector2d& a = shape[i];
+        const Vector2d& b = shape[(i + 1) % shape.size()];
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+            inside = !inside;
+    }
+    return inside;
+}
+
+PlanShape movedPlan(PlanShape shape, const Vector2d& by) {
+    for (Vector2d& p : shape)
+        p += by;
+    return shape;
+}
+
+PlanShape planCircle(const Vector2d& centre, double radius, int corners) {
+    PlanShape circle;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * std::numbers::pi * (k + 0.5) / corners;
+        circle.emplace_back(centre + radius * Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    return circle;
+}
+
+PlanShape planRectangle(const Vector2d& low, const Vector2d& high) {
+    return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+} // namespace moldwright

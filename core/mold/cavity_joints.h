@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "features/through_vent.h"
+#include "mold/channels.h"
+#include "mold/gates.h"
+
+#include <vector>
+
+namespace moldwright {
+
+/// A trap that has no vent, or air that stays above one.
+struct RemainingAir {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< mm, the kind's coordinates
+    double volume = 0;                               ///< mm³
+};
+
+/// One kind of cavity with everything that crosses its wall.
+struct JoinedCavity {
+    IndexedMesh solid; ///< cast, stubs and vents in one; open where stubs go on
+    std::vector<Stub> stubs;
+    std::vector<ThroughVent> vents;
+    std::vector<RemainingAir> remaining;
+    double stubVolume = 0; ///< mm³ by which the closed solid is larger than the cast
+};
+
+/// What a cavity is joined with.
+struct JointPlan {
+    const MoldSettings* settings = nullptr;
+    ChannelRules rules;
+    ChannelWidths widths;
+    double draftDegrees = 1;         ///< of the mold
+    double line = 0;                 ///< y at which stubs end, the kind's coordinates
+    std::array<double, 2> slope{};   ///< of the wall that they end in
+    bool spout = false;              ///< the only cavity: its gate is the spout itself
+    std::array<double, 2> blockEnd{}; ///< distance of the block's outer faces from the plane, mm
+};
+
+/// Gates and vents of one kind, joined to it exactly. Where rounding spoils a joint the channel is moved by
+/// hundredths of its width and joined again. Errors: Impossible (with the place) when that never helps, or a
+/// way to the runner is not free.
+[[nodiscard]] Result<JoinedCavity> joinedCavity(const CavityKind& kind, const std::vector<Gate>& gates,
+                                                const std::vector<AirTrap>& traps, const JointPlan& plan);
+
+} // namespace moldwright

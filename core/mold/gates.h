@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "features/air_traps.h"
+#include "mesh/indexed_mesh.h"
+#include "mold/layout.h"
+
+#include <vector>
+
+namespace moldwright {
+
+/// Where a cavity is filled: the highest point of the parting line of one of its solids.
+struct Gate {
+    int point = -1;       ///< of the kind's cast
+    PlanShape outline;    ///< the parting curve that the point lies on
+    double drop = 0;      ///< mm below the point at which a channel as wide as asked for lies inside the outline
+};
+
+/// The gates of a cavity that is filled along `up` (a unit vector in the plane), one for each of its solids.
+/// `width` mm is the channel's.
+[[nodiscard]] std::vector<Gate> gatesOf(const IndexedMesh& cast, const SideLabels& labels,
+                                        const Eigen::Vector2d& up, double width);
+
+/// The traps of all solids of a cavity, drained at the gates; smaller ones than `smallest` mm³ left out.
+[[nodiscard]] std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<Gate>& gates,
+                                           const Eigen::Vector2d& up, double smallest);
+
+/// Of the four quarter turns the one with which least air is trapped when +y is up; 0 to 3. The smallest among
+/// equals.
+[[nodiscard]] int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double smallestTrap);
+
+/// The mesh turned by quarters about z, counter-clockwise; exact.
+[[nodiscard]] IndexedMesh quarterTurned(const IndexedMesh& mesh, int quarters);
+
+} // namespace moldwright

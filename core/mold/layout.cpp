@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mold/layout.h"
+
+#include "castability/certificate.h"
+#include "castability/float_rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace moldwright {
+
+namespace {
+
+using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double sixteenth = 1.0 / 16;
+
+AlignedBox2d boxOf(const PlanShape& shape) {
+    AlignedBox2d box;
+    for (const Vector2d& p : shape)
+        box.extend(p);
+    return box;
+}
+
+/// Half a turn about z; about x, which swaps the sides; or a reflection in x. All exact.
+Vector3d signsOf(Alternation alternation) {
+    switch (alternation) {
+    case Alternation::Turn:
+        return {-1, -1, 1};
+    case Alternation::Flip:
+        return {1, -1, -1};
+    case Alternation::Mirror:
+        return {-1, 1, 1};
+    case Alternation::None:
+        break;
+    }
+    return {1, 1, 1};
+}
+
+const char* refusalOf(Alternation alternation) {
+    switch (alternation) {
+    case Alternation::Turn:
+        return MW_TEXT("Mold", "Every second cavity cannot be turned: its faces would leave with {0}°, {1}° are "
+                               "required. Turned copies need removal directions normal to the plane.");
+    case Alternation::Flip:
+        return MW_TEXT("Mold", "Every second cavity cannot be turned over: its faces would leave with {0}°, {1}° "
+                               "are required. That needs removal directions that the half-turn exchanges.");
+    default:
+        return MW_TEXT("Mold", "Every second cavity cannot be mirrored: its faces would leave with {0}°, {1}° are "
+                               "required. That needs removal directions in the mirror's plane.");
+    }
+}
+
+CavityKind kindOf(IndexedMesh cast, SideLabels labels) {
+    CavityKind kind;
+    kind.hull = planHull(cast.V);
+    kind.cast = std::move(cast);
+    kind.labels = std::move(labels);
+    return kind;
+}
+
+Result<CavityKind> alternateKind(const CavityKind& first, const Directions& directions, double draftDegrees,
+                                 double grid, Alternation alternation) {
+    const Vector3d signs = signsOf(alternation);
+    IndexedMesh cast{first.cast.V * signs.asDiagonal(), first.cast.F};
+    if (signs.prod() < 0)
+        cast.F.col(1).swap(cast.F.col(2));
+    const SideLabels labels = labelSides(cast, {});
+    cast = roundKeepingDraft(cast, labels, directions, draftDegrees, grid);
+    const Certificate certificate = certify(cast, labels, {{}, directions}, draftDegrees);
+    if (!certificate.holds())
+        return failure(ErrorCode::Impossible, refusalOf(alternation),
+                       {readable(certificate.worstDraftDegrees), readable(draftDegrees)});
+    CavityKind kind = kindOf(std::move(cast), labels);
+    kind.mirrored = alternation == Alternation::Mirror;
+    return kind;
+}
+
+/// The least multiple of 1/16 by which `b` must stand further along `way` to keep `spacing` from `a`.
+double pitchBetween(const PlanShape& a, const PlanShape& b, const Vector2d& way, double most, double spacing) {
+    double low = 0;
+    double high = most;
+    while (high - low > sixteenth / 2) {
+        const double middle = (low + high) / 2;
+        (planDistance(a, movedPlan(b, middle * way)) >= spacing ? high : low) = middle;
+    }
+    return upToSixteenth(high);
+}
+
+class Arranger {
+public:
+    Arranger(const std::vector<CavityKind>& kinds, const LayoutSettings& settings, const RunnerRoom& room)
+        : m_kinds(kinds), m_settings(settings), m_room(room) {
+        for (const CavityKind& kind : kinds)
+            m_box.extend(boxOf(kind.hull));
+    }
+
+    Layout arranged() {
+        const bool staggered = m_settings.arrangement == Arrangement::Staggered;
+        const double column = columnPitch();
+        m_shift = staggered ? upToSixteenth(column / 2) : 0;
+        const double row = rowPitch();
+        Layout layout;
+        // With shifted rows the main runner has no straight way between columns.
+        layout.mainColumn = staggered ? m_settings.columns : m_settings.columns / 2;
+        for (int r = 0; r < m_settings.rows; ++r)
+            for (int c = 0; c < m_settings.columns; ++c) {
+                CavityCopy copy;
+                copy.kind = m_kinds.size() > 1 ? static_cast<std::size_t>((r + c) % 2) : 0;
+                copy.row = r;
+                copy.column = c;
+                copy.offset = {c * column + (r % 2) * m_shift + (c >= layout.mainColumn ? gap() : 0), r * row};
+                layout.copies.push_back(copy);
+            }
+        layout.runnerOverKind = upToSixteenth(m_box.max().y() + m_settings.spacing + m_room.row / 2);
+        layout.mainAxis = mainAxis(layout);
+        centre(layout);
+        return layout;
+    }
+
+private:
+    [[nodiscard]] double columnPitch() const {
+        const double box = m_box.sizes().x() + m_settings.spacing;
+        if (m_settings.arrangement == Arrangement::Grid)
+            return upToSixteenth(box);
+        double pitch = 0;
+        for (const CavityKind& a : m_kinds)
+            for (const CavityKind& b : m_kinds)
+                pitch = std::max(pitch, pitchBetween(a.hull, b.hull, Vector2d::UnitX(), box, m_settings.spacing));
+        return pitch;
+    }
+    [[nodiscard]] double rowPitch() const {
+        const double spacing = m_settings.spacing;
+        const double box = m_box.sizes().y() + spacing + (m_room.row > 0 ? m_room.row + spacing : 0);
+        if (m_settings.arrangement == Arrangement::Grid || m_room.row > 0)
+            return upToSixteenth(box);
+        double pitch = 0;
+        for (const CavityKind& a : m_kinds)
+            for (const CavityKind& b : m_kinds)
+                for (const double shift : {m_shift, m_shift - columnPitch(), 0.0, columnPitch(), -columnPitch()})
+                    if (m_shift > 0 || shift == 0)
+                        pitch = std::max(pitch, pitchBetween(a.hull, movedPlan(b.hull, {shift, 0}),
+                                                             Vector2d::UnitY(), box, spacing));
+        return pitch;
+    }
+    /// What the columns after the main runner stand further on.
+    [[nodiscard]] double gap() const {
+        if (m_room.main <= 0 || m_settings.rows * m_settings.columns == 1)
+            return 0;
+        const double closer = m_box.sizes().x() + m_settings.spacing - columnPitch();
+        return upToSixteenth(m_room.main + m_settings.spacing + closer);
+    }
+    /// Between the columns on both sides, or beside the first or last.
+    [[nodiscard]] double mainAxis(const Layout& layout) const {
+        const double beside = m_settings.spacing + m_room.main / 2;
+        if (layout.mainColumn == 0)
+            return upToSixteenth(gap() + m_box.min().x() - beside) - sixteenth;
+        double right = -std::numeric_limits<double>::infinity();
+        for (const CavityCopy& copy : layout.copies)
+            if (copy.column < layout.mainColumn)
+                right = std::max(right, copy.offset.x() + m_box.max().x());
+        return upToSixteenth(right + beside);
+    }
+    void centre(Layout& layout) const {
+        AlignedBox2d all;
+        for (const CavityCopy& copy : layout.copies)
+            all.extend(boxOf(movedPlan(m_kinds[copy.kind].hull, copy.offset)));
+        const Vector2d middle = all.center();
+        const Vector2d shift = -(middle / sixteenth).array().round().matrix() * sixteenth;
+        for (CavityCopy& copy : layout.copies)
+            copy.offset += shift;
+        layout.mainAxis += shift.x();
+        for (int r = 0; r < m_settings.rows; ++r)
+            layout.runnerAxes.push_back(
+                layout.copies[static_cast<std::size_t>(r * m_settings.columns)].offset.y() +
+                layout.runnerOverKind);
+    }
+
+    const std::vector<CavityKind>& m_kinds;
+    const LayoutSettings& m_settings;
+    RunnerRoom m_room;
+    AlignedBox2d m_box;
+    double m_shift = 0;
+};
+
+} // namespace
+
+double upToSixteenth(double length) {
+    return std::ceil(length / sixteenth - 1e-9) * sixteenth;
+}
+
+Result<std::vector<CavityKind>> cavityKinds(const IndexedMesh& cast, const SideLabels& labels,
+                                            const Directions& directions, double draftDegrees, double grid,
+                                            Alternation alternation) {
+    std::vector<CavityKind> kinds{kindOf(cast, labels)};
+    if (alternation == Alternation::None)
+        return kinds;
+    Result<CavityKind> second = alternateKind(kinds.front(), directions, draftDegrees, grid, alternation);
+    if (!second)
+        return std::unexpected(second.error());
+    kinds.push_back(*std::move(second));
+    return kinds;
+}
+
+Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings, const RunnerRoom& room) {
+    return Arranger(kinds, settings, room).arranged();
+}
+
+} // namespace moldwright

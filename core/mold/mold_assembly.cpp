@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The second half of the builder's stages: from joined cavities to solids, numbers and the list of features.
+#include "castability/parting_curves.h"
+#include "mesh/measures.h"
+#include "mesh/weld.h"
+#include "mold/mold_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Presses are chosen with this much in hand over pressure × area (1.1 to 1.2 are usual).
+constexpr double clampAllowance = 1.1;
+
+MoldHalf measured(IndexedMesh mesh) {
+    MoldHalf half;
+    half.volume = volume(mesh);
+    half.size = boundingBox(mesh).sizes();
+    half.mesh = std::make_shared<const IndexedMesh>(std::move(mesh));
+    return half;
+}
+
+/// Area that the curves enclose in the plane z = 0; inner curves run the other way and count as holes.
+double enclosedArea(const IndexedMesh& cast, const std::vector<PartingCurve>& curves) {
+    double doubled = 0;
+    for (const PartingCurve& curve : curves)
+        for (std::size_t i = 0; i < curve.size(); ++i) {
+            const Vector3d a = cast.point(curve[i]);
+            const Vector3d b = cast.point(curve[(i + 1) % curve.size()]);
+            doubled += a.x() * b.y() - a.y() * b.x();
+        }
+    return doubled / 2;
+}
+
+/// The faces of one side but for those in the block's outer face, where a vent comes out.
+IndexedMesh sideOf(const IndexedMesh& solid, int side, double blockEnd) {
+    const SideLabels labels = labelSides(solid, {});
+    IndexedMesh faces{solid.V, Triangles(solid.F.rows(), 3)};
+    Eigen::Index kept = 0;
+    for (int f = 0; f < solid.faceCount(); ++f) {
+        const bool outside = solid.corner(f, 0).z() == blockEnd && solid.corner(f, 1).z() == blockEnd &&
+                             solid.corner(f, 2).z() == blockEnd;
+        if (labels[static_cast<std::size_t>(f)] == side && !outside)
+            faces.F.row(kept++) = solid.F.row(f);
+    }
+    faces.F.conservativeResize(kept, 3);
+    return withoutUnusedPoints(faces).mesh;
+}
+
+double volumeOf(const DraftedPrism& prism) {
+    return volume(*prismSolid(prism));
+}
+
+Vector3d middleOf(const DraftedPrism& prism) {
+    Vector2d sum = Vector2d::Zero();
+    for (const Vector2d& p : prism.base)
+        sum += p / static_cast<double>(prism.base.size());
+    return {sum.x(), sum.y(), 0};
+}
+
+std::unexpected<Error> unsound() {
+    return failure(ErrorCode::Internal,
+                   MW_TEXT("Mold", "The parting face could not be built: features meet in the parting plane."));
+}
+
+} // namespace
+
+Result<void> MoldBuilder::assemble() {
+    std::vector<IndexedMesh> solids;
+    std::array<HalfSurfaces, 2> halves;
+    for (const int side : {1, 2}) {
+        HalfSurfaces& half = halves[side == 1 ? 0 : 1];
+        std::vector<IndexedMesh> sides;
+        for (const JoinedCavity& joined : m_joined)
+            sides.push_back(sideOf(joined.solid, side, side == 1 ? m_block.max().z() : m_block.min().z()));
+        for (const CavityCopy& copy : m_layout.copies)
+            half.voids.push_back(movedInPlane(sides[copy.kind], copy.offset));
+        for (const Channel& channel : m_net.channels) {
+            const std::optional<IndexedMesh> surface = prismSurface(channel.prism, side, channel.guests);
+            if (!surface)
+                return unsound();
+            half.voids.push_back(*surface);
+            solids.push_back(*surface);
+        }
+        for (const DraftedPrism& tail : m_openTails)
+            half.voids.push_back(*prismSurface(tail, side));
+        for (const DraftedPrism& tail : m_closedTails)
+            solids.push_back(*prismSurface(tail, side));
+        for (const WedgeSlit& slit : m_slits)
+            half.voids.push_back(*prismSurface(slit.prism, side));
+        for (const RegistrationKey& key : m_keys)
+            if (side == 1)
+                half.voids.push_back(*prismSurface(key.socket, 1));
+            else
+                half.bosses.push_back(*prismSurface(key.key, 1));
+    }
+    for (const CavityCopy& copy : m_layout.copies)
+        solids.push_back(movedInPlane(m_joined[copy.kind].solid, copy.offset));
+    m_mold.cast = std::make_shared<const IndexedMesh>(weldedTogether(solids));
+    for (const int side : {1, 2}) {
+        std::optional<IndexedMesh> half = assembleHalf(side, halves[side == 1 ? 0 : 1], m_block);
+        if (!half)
+            return unsound();
+        (side == 1 ? m_mold.half1 : m_mold.half2) = measured(*std::move(half));
+    }
+    return {};
+}
+
+Result<void> MoldBuilder::measure() {
+    const MoldSettings& settings = m_mold.settings;
+    m_mold.blockVolume = m_block.volume();
+    for (const CavityCopy& copy : m_layout.copies)
+        m_mold.cavityVolume += volume(m_kinds[copy.kind].cast);
+    m_mold.channelVolume = channels() ? volume(*m_mold.cast) - m_mold.cavityVolume : 0;
+    for (std::size_t i = 0; i < m_openTails.size(); ++i)
+        m_mold.otherVolume += volumeOf(m_openTails[i]) - volumeOf(m_closedTails[i]);
+    for (const WedgeSlit& slit : m_slits)
+        m_mold.otherVolume += volumeOf(slit.prism);
+    for (const RegistrationKey& key : m_keys)
+        m_mold.otherVolume += volumeOf(key.socket) - volumeOf(key.key);
+    const auto curves = partingCurves(*m_mold.cast, labelSides(*m_mold.cast, {}));
+    m_mold.partingArea = curves ? enclosedArea(*m_mold.cast, *curves) : 0;
+    // cm² × bar / 100 = kN.
+    m_mold.clampForce = m_mold.partingArea / 100 * settings.pressure / 100 * clampAllowance;
+    constexpr double furthest = 1000;
+    m_mold.steel = thinnestSteel(hollows(), m_block, furthest);
+    m_mold.minWall = m_mold.steel.front().thickness;
+    m_mold.minWallPlace = m_mold.steel.front().place;
+    for (const ThinSteel& thin : m_mold.steel)
+        if (thin.thickness < settings.leastSteel)
+            m_mold.notes.push_back("Only " + readable(thin.thickness, 3) + " mm of steel between " + thin.first +
+                                   " and " + thin.second + ".");
+    addFeatures();
+    return {};
+}
+
+std::vector<Hollow> MoldBuilder::hollows() const {
+    const auto shared = [](IndexedMesh mesh) { return std::make_shared<const IndexedMesh>(std::move(mesh)); };
+    std::vector<Hollow> all;
+    std::vector<SharedMesh> casts;
+    std::vector<std::vector<Hollow>> attached; // by kind
+    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
+        casts.push_back(shared(m_kinds[kind].cast));
+        attached.emplace_back();
+        for (const Stub& stub : m_joined[kind].stubs)
+            attached.back().push_back({stub.name, shared(*prismSolid(stub.prism)), {}, {}, single()});
+        for (const ThroughVent& vent : m_joined[kind].vents)
+            attached.back().push_back({"Vent", shared(vent.solid()), {}, {}, true});
+    }
+    const int net = static_cast<int>(m_layout.copies.size());
+    for (int c = 0; c < net; ++c) {
+        const CavityCopy& copy = m_layout.copies[static_cast<std::size_t>(c)];
+        all.push_back({"Cavity", casts[copy.kind], copy.offset, {c}, false});
+        for (Hollow hollow : attached[copy.kind]) {
+            hollow.offset = copy.offset;
+            hollow.joints = {c, net};
+            all.push_back(std::move(hollow));
+        }
+    }
+    for (const Channel& channel : m_net.channels)
+        all.push_back({channel.name, shared(*prismSolid(channel.prism)), Vector2d::Zero(), {net},
+                       channel.name == "Spout"});
+    for (const RegistrationKey& key : m_keys)
+        all.push_back({"Key", shared(*prismSolid(key.socket)), Vector2d::Zero(), {}, false});
+    for (const WedgeSlit& slit : m_slits)
+        all.push_back({"Slit", shared(*prismSolid(slit.prism)), Vector2d::Zero(), {}, true});
+    return all;
+}
+
+void MoldBuilder::addFeatures() {
+    const MoldSettings& settings = m_mold.settings;
+    std::vector<MoldFeature>& features = m_mold.features;
+    const Vector3d size = m_block.sizes();
+    features.push_back({"block", "Block", m_block.center(),
+                        {{"size_x", size.x()}, {"size_y", size.y()}, {"size_z", size.z()},
+                         {"wall", settings.wall}, {"floor", settings.floor}, {"ceiling", settings.ceiling}}, {}});
+    for (const CavityCopy& copy : m_layout.copies) {
+        const CavityKind& kind = m_kinds[copy.kind];
+        features.push_back({"cavity", kind.mirrored ? "Cavity, mirrored" : "Cavity",
+                            {copy.offset.x(), copy.offset.y(), 0},
+                            {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}}, {}});
+        const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
+        for (const Stub& stub : m_joined[copy.kind].stubs)
+            features.push_back({stub.vent ? "vent" : single() ? "spout" : "gate", stub.name,
+                                middleOf(stub.prism) + by,
+                                {{"volume", volumeOf(stub.prism)}, {"height_1", stub.prism.height[0]},
+                                 {"height_2", stub.prism.height[1]}}, {}});
+        for (const ThroughVent& vent : m_joined[copy.kind].vents)
+            features.push_back({"vent", "Vent through half " + std::to_string(vent.side), vent.mouth + by,
+                                {{"diameter", settings.vents.diameter}, {"side", vent.side}}, {}});
+        for (const RemainingAir& air : m_joined[copy.kind].remaining) {
+            m_mold.trappedAir += air.volume;
+            features.push_back({"trapped_air", "Air that stays", air.place + by, {{"volume", air.volume}},
+                                "No vent can be placed here."});
+        }
+    }
+    for (const Channel& channel : m_net.channels)
+        features.push_back({channel.name == "Spout" ? "spout" : "runner", channel.name, middleOf(channel.prism),
+                            {{"volume", volumeOf(channel.prism)}, {"height_1", channel.prism.height[0]},
+                             {"height_2", channel.prism.height[1]}}, {}});
+    for (const RegistrationKey& key : m_keys) {
+        const bool raised = key.leanDegrees > settings.keys.draft + 0.5;
+        features.push_back({"key", "Key", {key.place.x(), key.place.y(), 0},
+                            {{"diameter", key.diameter}, {"height", settings.keys.height},
+                             {"clearance", settings.keys.clearance}, {"lean_deg", key.leanDegrees}},
+                            raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
+                                         "°: with less it would hold when one half is opened first."
+                                   : ""});
+    }
+    for (const WedgeSlit& slit : m_slits)
+        features.push_back({"slit", "Wedge slit", {slit.place.x(), slit.place.y(), 0},
+                            {{"depth", settings.slits.depth}, {"width", settings.slits.width},
+                             {"height", settings.slits.height}}, {}});
+    m_mold.pathLengths = m_net.pathLengths;
+}
+
+} // namespace moldwright

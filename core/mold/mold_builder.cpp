@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mold/mold_builder.h"
+
+#include "castability/parting_curves.h"
+#include "castability/placed_cast.h"
+#include "mesh/measures.h"
+#include "mold/mold_proof.h"
+#include "mold/shrink.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moldwright {
+
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// A power of two that all coordinates of a mold of this half size are multiples of, as floats.
+double gridFor(double halfSize) {
+    return std::ldexp(1.0, static_cast<int>(std::ceil(std::log2(halfSize))) - 24);
+}
+
+/// More than a mold can reach from its middle, mm.
+double farthestReach(const MoldSettings& settings, double castSize) {
+    const LayoutSettings& layout = settings.layout;
+    const double cell = castSize + 2 * layout.spacing + 2 * settings.spout.diameter;
+    const double across = std::max(layout.rows, layout.columns) * cell / 2;
+    const double round = settings.wall + settings.floor + settings.ceiling + settings.step +
+                         2 * settings.spout.funnel + 4 * settings.keys.diameter + 40;
+    return across + round;
+}
+
+} // namespace
+
+MoldBuilder::MoldBuilder(const MoldSettings& settings, double draftDegrees) {
+    m_mold.settings = settings;
+    m_mold.draftDegrees = draftDegrees;
+}
+
+Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state) {
+    const MoldSettings& settings = m_mold.settings;
+    if (settings.vents.on && !settings.spout.on)
+        return failure(ErrorCode::Usage,
+                       MW_TEXT("Mold", "Vents need a spout: without one nothing tells which way is up while the "
+                                       "mold is filled."));
+    const Result<CompensatedCast> larger = compensated(cast, state, settings.shrink);
+    if (!larger)
+        return std::unexpected(larger.error());
+    m_mold.shrinkFactors = larger->factors;
+    m_grid = gridFor(farthestReach(settings, diagonal(larger->mesh)));
+    PlacedCast placed = placeCast(larger->mesh, labels, larger->state, m_mold.draftDegrees, m_grid);
+    m_mold.castCertificate = certify(placed.mesh, labels, placed.state, m_mold.draftDegrees);
+    const Certificate& proof = m_mold.castCertificate;
+    if (!proof.closedAndOutward || !proof.curvesSimpleAndNested)
+        return failure(ErrorCode::BadInput,
+                       MW_TEXT("Mold", "No mold can be built round this cast. {0} Finish the cast first."),
+                       {proof.reason});
+    if (larger->factors.minCoeff() != larger->factors.maxCoeff() && !proof.draftHolds)
+        m_mold.notes.push_back("Shrinking differently along the axes turns faces: the draft falls to " +
+                               readable(proof.worstDraftDegrees) + "°. Design the cast with " +
+                               readable(2 * m_mold.draftDegrees - proof.worstDraftDegrees, 3) + "°.");
+    int quarters = 0;
+    if (spout().on)
+        quarters = spout().pour == PourDirection::Automatic
+                       ? bestQuarterTurn(placed.mesh, labels, settings.vents.smallestTrap)
+                       : static_cast<int>(spout().pour) - 1;
+    m_cast = quarterTurned(placed.mesh, quarters);
+    m_labels = labels;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(radians(90.0 * quarters), Vector3d::UnitZ()));
+    const auto turned = [&](const Vector3d& d) -> Vector3d {
+        return quarterTurned({d.transpose(), {}}, quarters).point(0);
+    };
+    m_mold.directions = {turned(placed.state.directions.d1), turned(placed.state.directions.d2)};
+    m_mold.partToMold = turn * placed.fromPart;
+    return {};
+}
+
+Result<void> MoldBuilder::layOut() {
+    const MoldSettings& settings = m_mold.settings;
+    Result<std::vector<CavityKind>> kinds =
+        cavityKinds(m_cast, m_labels, m_mold.directions, m_mold.draftDegrees, m_grid, settings.layout.alternation);
+    if (!kinds)
+        return std::unexpected(kinds.error());
+    m_kinds = *std::move(kinds);
+    const double depth = onPlaneTolerance(m_cast);
+    const bool flips = settings.layout.alternation == Alternation::Flip;
+    m_rules = {m_mold.directions, std::max(spout().draft, m_mold.draftDegrees + 1),
+               {flips || m_cast.V.col(2).maxCoeff() > depth, flips || m_cast.V.col(2).minCoeff() < -depth},
+               m_grid};
+    RunnerRoom room;
+    if (spout().on) {
+        const Result<ChannelWidths> widths = ChannelWidths::of(spout(), m_rules);
+        if (!widths)
+            return std::unexpected(widths.error());
+        m_widths = *widths;
+        room = m_widths.room();
+        // A gate at a cavity's very edge stays clear of the main runner.
+        room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.layout.spacing + 1);
+        for (const CavityKind& kind : m_kinds)
+            m_gates.push_back(gatesOf(kind.cast, kind.labels, Vector2d::UnitY(), m_widths.gate));
+    }
+    m_layout = layoutOf(m_kinds, settings.layout, room);
+    m_mold.cavities = static_cast<int>(m_layout.copies.size());
+    m_mold.partToMold.pretranslate(
+        Vector3d(m_layout.copies.front().offset.x(), m_layout.copies.front().offset.y(), 0));
+    return {};
+}
+
+Obstacles MoldBuilder::planObstacles(double faceY) const {
+    Obstacles obstacles;
+    const double funnel = std::max(spout().funnel, spout().diameter) / 2;
+    const ChannelWidths& widths = m_widths;
+    Eigen::AlignedBox2d all;
+    for (const CavityCopy& copy : m_layout.copies) {
+        obstacles.push_back(movedPlan(m_kinds[copy.kind].hull, copy.offset));
+        for (const Vector2d& p : obstacles.back())
+            all.extend(p);
+        if (!spout().on || !single())
+            continue;
+        // Spout and vents go straight up.
+        for (const Gate& gate : m_gates[copy.kind]) {
+            const Vector2d tip = m_kinds[copy.kind].cast.V.row(gate.point).head<2>();
+            obstacles.push_back(planRectangle({tip.x() - funnel, tip.y()}, {tip.x() + funnel, faceY}));
+        }
+        if (m_mold.settings.vents.on)
+            for (const AirTrap& trap : trapsOf(m_kinds[copy.kind].cast, m_gates[copy.kind], Vector2d::UnitY(),
+                                               m_mold.settings.vents.smallestTrap)) {
+                const Vector2d tip = m_kinds[copy.kind].cast.V.row(trap.point).head<2>();
+                const double half = m_mold.settings.vents.diameter;
+                obstacles.push_back(planRectangle({tip.x() - half, tip.y()}, {tip.x() + half, faceY}));
+            }
+    }
+    if (spout().on && !single()) {
+        for (const double axis : m_layout.runnerAxes)
+            obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
+                                              {all.max().x() + widths.gate, axis + widths.runner / 2}));
+        const double half = std::max(funnel, widths.main / 2);
+        obstacles.push_back(
+            planRectangle({m_layout.mainAxis - half, m_layout.runnerAxes.front() - widths.runner / 2 - widths.beside},
+                          {m_layout.mainAxis + half, faceY}));
+    }
+    return obstacles;
+}
+
+Block MoldBuilder::blockFor(double wallX, double wallY) const {
+    BlockContent content;
+    content.wallX = wallX;
+    content.wallY = wallY;
+    for (const CavityCopy& copy : m_layout.copies)
+        content.cavities.extend(boundingBox(m_kinds[copy.kind].cast)
+                                    .translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
+    if (spout().on) {
+        const ChannelWidths& widths = m_widths;
+        const double tail = m_end.face - m_end.line;
+        if (single()) {
+            content.spoutTop = content.cavities.max().y() + m_mold.settings.layout.spacing / 2 +
+                               spoutLength(spout(), widths.gate, widths.straight()) + tail;
+        } else {
+            for (const double way : {-1.0, 1.0})
+                content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
+            const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
+            content.spoutTop = std::max(top + spoutLength(spout(), widths.main, widths.straight()) + tail, top + wallY);
+        }
+    }
+    return blockAround(content, m_mold.settings, m_grid);
+}
+
+bool MoldBuilder::placeOn(const Block& block) {
+    const MoldSettings& settings = m_mold.settings;
+    Obstacles obstacles = planObstacles(block.max().y());
+    m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel);
+    for (const Vector2d& place : m_slitPlaces)
+        obstacles.push_back(slitShape(settings.slits, place));
+    m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel);
+    return static_cast<int>(m_slitPlaces.size()) == settings.slits.count &&
+           static_cast<int>(m_keyPlaces.size()) == settings.keys.count;
+}
+
+Result<void> MoldBuilder::fitBlock() {
+    const MoldSettings& settings = m_mold.settings;
+    if (spout().on) {
+        const Result<double> tail = tailLength(0.4 * std::max(spout().diameter, spout().gate), m_rules);
+        if (!tail)
+            return std::unexpected(tail.error());
+        m_end = {*tail, 0};
+    }
+    constexpr int growths = 60;
+    bool fits = false;
+    for (int growth = 0; growth < growths && !fits; ++growth) {
+        // A band left and right always makes room at the corners.
+        m_block = blockFor(settings.wall + growth, settings.wall);
+        fits = placeOn(m_block);
+    }
+    if (!fits)
+        return failure(ErrorCode::Impossible,
+                       MW_TEXT("Mold", "There is no room for {0} keys and {1} slits. Ask for fewer or smaller ones."),
+                       {std::to_string(settings.keys.count), std::to_string(settings.slits.count)});
+    const double tail = m_end.face - m_end.line;
+    m_end = {m_block.max().y(), m_block.max().y() - tail};
+    for (const Vector2d& place : m_keyPlaces) {
+        Result<RegistrationKey> key = registrationKey(settings.keys, m_keys.empty(), place, m_mold.directions,
+                                                      m_mold.draftDegrees, m_grid);
+        if (!key)
+            return std::unexpected(key.error());
+        m_keys.push_back(*std::move(key));
+    }
+    for (const Vector2d& place : m_slitPlaces) {
+        Result<WedgeSlit> slit =
+            wedgeSlit(settings.slits, place, m_mold.directions, m_mold.draftDegrees, m_grid);
+        if (!slit)
+            return std::unexpected(slit.error());
+        m_slits.push_back(*std::move(slit));
+    }
+    return {};
+}
+
+Result<void> MoldBuilder::join() {
+    const MoldSettings& settings = m_mold.settings;
+    JointPlan plan;
+    plan.settings = &settings;
+    plan.rules = m_rules;
+    plan.widths = m_widths;
+    plan.draftDegrees = m_mold.draftDegrees;
+    plan.spout = single();
+    plan.blockEnd = {m_block.max().z(), -m_block.min().z()};
+    if (spout().on) {
+        const Result<std::array<double, 2>> slope = m_rules.slope(-Vector2d::UnitY());
+        if (!slope)
+            return std::unexpected(slope.error());
+        plan.line = single() ? m_end.line : m_layout.runnerOverKind - m_widths.runner / 2;
+        plan.slope = single() ? std::array{0.0, 0.0} : *slope;
+    }
+    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
+        std::vector<AirTrap> traps;
+        if (settings.vents.on)
+            traps = trapsOf(m_kinds[kind].cast, m_gates[kind], Vector2d::UnitY(), settings.vents.smallestTrap);
+        Result<JoinedCavity> joined =
+            joinedCavity(m_kinds[kind], spout().on ? m_gates[kind] : std::vector<Gate>{}, traps, plan);
+        if (!joined)
+            return std::unexpected(joined.error());
+        m_joined.push_back(*std::move(joined));
+        m_stubs.push_back(m_joined.back().stubs);
+    }
+    if (spout().on && !single()) {
+        Result<RunnerNet> net = runnerNet(m_layout, m_stubs, spout(), m_widths, m_rules, m_end);
+        if (!net)
+            return std::unexpected(net.error());
+        m_net = *std::move(net);
+    }
+    return addTails();
+}
+
+/// What opens into the block's face: the spout, and a single cavity's vents.
+Result<void> MoldBuilder::addTails() {
+    if (!spout().on)
+        return {};
+    std::vector<const DraftedPrism*> ends;
+    if (single())
+        for (const Stub& stub : m_stubs.front())
+            ends.push_back(&stub.prism);
+    else
+        ends.push_back(&m_net.channels.front().prism);
+    for (const DraftedPrism* end : ends)
+        for (const bool closed : {true, false}) {
+            Result<DraftedPrism> tail = tailOf(*end, m_rules, m_end, closed);
+            if (!tail)
+                return std::unexpected(tail.error());
+            (closed ? m_closedTails : m_openTails).push_back(*std::move(tail));
+        }
+    return {};
+}
+
+Result<void> MoldBuilder::prove() {
+    m_mold.castCertificate = certify(*m_mold.cast, labelSides(*m_mold.cast, {}), {{}, m_mold.directions},
+                                     m_mold.draftDegrees);
+    m_mold.problems = problemsOf(m_mold);
+    return {};
+}
+
+} // namespace moldwright

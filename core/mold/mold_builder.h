@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "mold/cavity_joints.h"
+#include "mold/half.h"
+#include "mold/mold.h"
+#include "mold/registration.h"
+
+#include <optional>
+#include <vector>
+
+namespace moldwright {
+
+/// Builds a mold stage by stage, in the order of the members; each uses what the ones before have found. Only
+/// buildMold() calls it.
+class MoldBuilder {
+public:
+    MoldBuilder(const MoldSettings& settings, double draftDegrees);
+
+    /// The cast larger by the shrink, in the mold's frame, the pour direction up in the plane (+y).
+    Result<void> place(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state);
+    /// Kinds of cavities, their places, and the room that channels need.
+    Result<void> layOut();
+    /// Block, keys and slits; the block grows until all have room.
+    Result<void> fitBlock();
+    /// What crosses a cavity's wall, and the runners.
+    Result<void> join();
+    /// Everything that solidifies, and the halves about it.
+    Result<void> assemble();
+    /// Volumes, areas, steel.
+    Result<void> measure();
+    Result<void> prove();
+
+    [[nodiscard]] Mold mold() { return std::move(m_mold); }
+
+private:
+    [[nodiscard]] bool single() const { return m_layout.copies.size() == 1; }
+    [[nodiscard]] const SpoutSettings& spout() const { return m_mold.settings.spout; }
+    [[nodiscard]] bool channels() const { return spout().on || m_mold.settings.vents.on; }
+    [[nodiscard]] Obstacles planObstacles(double faceY) const;
+    [[nodiscard]] Block blockFor(double wallX, double wallY) const;
+    [[nodiscard]] bool placeOn(const Block& block);
+    Result<void> addTails();
+    void addFeatures();
+    [[nodiscard]] std::vector<Hollow> hollows() const;
+
+    Mold m_mold;
+    double m_grid = 0;
+    ChannelRules m_rules;
+    ChannelWidths m_widths;
+    IndexedMesh m_cast; ///< placed
+    SideLabels m_labels;
+    std::vector<CavityKind> m_kinds;
+    std::vector<std::vector<Gate>> m_gates;
+    Layout m_layout;
+    Block m_block;
+    std::vector<Eigen::Vector2d> m_keyPlaces;
+    std::vector<Eigen::Vector2d> m_slitPlaces;
+    std::vector<RegistrationKey> m_keys;
+    std::vector<WedgeSlit> m_slits;
+    FaceEnd m_end;
+    std::vector<JoinedCavity> m_joined;
+    std::vector<std::vector<Stub>> m_stubs; ///< by kind
+    RunnerNet m_net;
+    std::vector<DraftedPrism> m_closedTails;
+    std::vector<DraftedPrism> m_openTails;
+};
+
+} // namespace moldwright

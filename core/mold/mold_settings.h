@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace moldwright {
+
+/// How a linear shrink S becomes a factor: both are in use, at 5 % they are 1.0500 and 1.0526.
+enum class ShrinkFormula {
+    Plus,  ///< 1 + S
+    Divide ///< 1/(1 − S)
+};
+
+/// The cavity is made larger by what the material shrinks.
+struct ShrinkSettings {
+    Eigen::Vector3d percent = Eigen::Vector3d::Zero(); ///< linear, along x, y, z of the part's frame; < 0 expands
+    ShrinkFormula formula = ShrinkFormula::Plus;
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mm, part's frame: the point that stays
+
+    bool operator==(const ShrinkSettings&) const = default;
+};
+
+/// How the cavities of one mold are arranged.
+enum class Arrangement {
+    Grid,      ///< rows and columns
+    Staggered, ///< every second row moved by half a column
+    Packed,    ///< rows and columns as close as the outlines allow
+};
+
+/// What every second cavity of a row is.
+enum class Alternation {
+    None,   ///< the same, moved: always allowed
+    Turn,   ///< turned by 180° about the plane's normal
+    Flip,   ///< turned over: the halves swap
+    Mirror, ///< the opposite-handed part
+};
+
+struct LayoutSettings {
+    int rows = 1;
+    int columns = 1;
+    Arrangement arrangement = Arrangement::Grid;
+    Alternation alternation = Alternation::None;
+    double spacing = 5; ///< steel between cavities, and between them and channels, mm
+
+    bool operator==(const LayoutSettings&) const = default;
+};
+
+/// Which way is up while the mold is filled, as a turn of the cast about the normal of the parting plane: the
+/// spout always leaves through the face at +y of the mold's frame.
+enum class PourDirection {
+    Automatic, ///< of four the one that traps the least air
+    Turn0,
+    Turn90,
+    Turn180,
+    Turn270,
+};
+
+/// A spout in the parting plane with its funnel, and with several cavities the runners between them. Sections
+/// are drafted trapezoids: half a circle would have no draft at its rim.
+struct SpoutSettings {
+    bool on = false;
+    double diameter = 10; ///< width in the parting plane, mm
+    double funnel = 16;   ///< width at the block's face, mm
+    double gate = 6;      ///< width where it meets the cavity, mm
+    double draft = 5;     ///< degrees
+    PourDirection pour = PourDirection::Automatic;
+
+    bool operator==(const SpoutSettings&) const = default;
+};
+
+/// Vents where air would stay.
+struct VentSettings {
+    bool on = false;
+    double diameter = 1.5;  ///< mm, at the narrowest
+    double smallestTrap = 5; ///< mm³ of air that may stay
+
+    bool operator==(const VentSettings&) const = default;
+};
+
+/// Frusta on half 2 in sockets of half 1. The first is larger, so that the halves fit one way only.
+struct KeySettings {
+    int count = 0;
+    double diameter = 6;    ///< mm at the plane
+    double height = 3.5;    ///< mm
+    double clearance = 0.2; ///< mm on all sides and in depth
+    double draft = 5;       ///< degrees against both opening orders; raised where the mold's draft is more
+    double oddBy = 1;       ///< mm that the first is larger
+
+    bool operator==(const KeySettings&) const = default;
+};
+
+/// Notches at the outer edge of the plane in which a screwdriver finds hold ([Stein 2019], Fig. 17).
+struct SlitSettings {
+    int count = 0;
+    double depth = 6.35; ///< mm into the block
+    double width = 12;   ///< mm along its face
+    double height = 1.5; ///< mm in each half
+
+    bool operator==(const SlitSettings&) const = default;
+};
+
+/// What a mold is made of. Lengths in mm. Walls of 5 mm are what open mold generators use for printed molds
+/// (range 1.5 to 25 mm). As it stands: a block round one cavity, no features.
+struct MoldSettings {
+    double wall = 5;       ///< steel between cavities or channels and each side face
+    double floor = 5;      ///< under the cavities of half 2
+    double ceiling = 5;    ///< over the cavities of half 1
+    double step = 1;       ///< block sizes round up to a multiple of this; 0: not rounded
+    double pressure = 4;   ///< bar in the cavity while it fills, for the clamp force; set it to your process
+    double leastSteel = 2; ///< between any two features: what is placed automatically keeps it
+    double density = 0;    ///< g/cm³ of what is cast; 0: not known
+    double blockDensity = 0; ///< g/cm³ of the block; 0: not known
+    LayoutSettings layout;
+    ShrinkSettings shrink;
+    SpoutSettings spout;
+    VentSettings vents;
+    KeySettings keys;
+    SlitSettings slits;
+
+    bool operator==(const MoldSettings&) const = default;
+};
+
+} // namespace moldwright

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mold/registration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace moldwright {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int keyCorners = 32;
+constexpr double searchStep = 1; // mm
+
+double diameterOf(const KeySettings& keys, bool odd) {
+    return keys.diameter + (odd ? keys.oddBy : 0);
+}
+
+/// What the keys' common axis moves aside over their height, mm.
+double shiftOf(const KeySettings& keys, const Directions& directions) {
+    const Eigen::Vector3d axis = directions.d1 - directions.d2;
+    return (keys.height + keys.clearance) * axis.head<2>().norm() / axis.z();
+}
+
+/// Radius of the room that a socket takes, seen along the normal. Walls lean: measured along the plane the
+/// clearance is a little more than across the wall.
+double socketRadius(const KeySettings& keys, bool odd, double shift) {
+    return diameterOf(keys, odd) / 2 + 1.5 * keys.clearance + shift;
+}
+
+bool keepsClear(const PlanShape& shape, const Obstacles& obstacles, double steel) {
+    return std::all_of(obstacles.begin(), obstacles.end(), [&](const PlanShape& obstacle) {
+        return planDistance(shape, obstacle) >= steel;
+    });
+}
+
+/// The free place nearest to `wish` in the part of the block that is nearer to it than to its middle.
+std::optional<Vector2d> nearestFree(const Vector2d& wish, double radius, const Block& block,
+                                    const Obstacles& obstacles, double steel) {
+    const double edge = radius + steel;
+    const Vector2d low = block.min().head<2>().array() + edge;
+    const Vector2d high = block.max().head<2>().array() - edge;
+    std::vector<Vector2d> candidates;
+    const Vector2d start = wish.cwiseMax(low).cwiseMin(high);
+    const Vector2d middle = block.center().head<2>();
+    for (double x = low.x(); x <= high.x(); x += searchStep)
+        for (double y = low.y(); y <= high.y(); y += searchStep)
+            if ((Vector2d(x, y) - start).norm() < (start - middle).norm() / 2)
+                candidates.emplace_back(x, y);
+    candidates.push_back(start);
+    std::stable_sort(candidates.begin(), candidates.end(), [&](const Vector2d& a, const Vector2d& b) {
+        return (a - start).squaredNorm() < (b - start).squaredNorm();
+    });
+    for (const Vector2d& place : candidates)
+        if ((place.array() >= low.array() - 1e-9).all() && (place.array() <= high.array() + 1e-9).all() &&
+            keepsClear(planCircle(place, radius, keyCorners), obstacles, steel))
+            return place;
+    return std::nullopt;
+}
+
+/// Corners first, alternately opposite, then the middles of the sides.
+std::vector<Vector2d> wishes(const Block& block, int count) {
+    const Vector2d low = block.min().head<2>();
+    const Vector2d high = block.max().head<2>();
+    const Vector2d middle = block.center().head<2>();
+    std::vector<Vector2d> places{low, high, {high.x(), low.y()}, {low.x(), high.y()},
+                                 {middle.x(), low.y()}, {low.x(), middle.y()}, {high.x(), middle.y()},
+                                 {middle.x(), high.y()}};
+    places.resize(static_cast<std::size_t>(std::min(count, static_cast<int>(places.size()))));
+    return places;
+}
+
+/// Its axis halves the angle ψ between d1 and −d2; walls that lean ψ/2 more than the draft against the axis have
+/// the draft against both.
+Result<DraftedPrism> frustum(const PlanShape& base, double height, const Directions& directions, double draft,
+                             double grid) {
+    const Eigen::Vector3d axis = (directions.d1 - directions.d2).normalized();
+    const double halfAngle = degrees(std::acos(std::clamp(axis.dot(directions.d1), -1.0, 1.0)));
+    PrismRequest request;
+    request.base = base;
+    request.height = {height, 0};
+    request.directions[0] = {axis};
+    request.draftDegrees = draft + halfAngle;
+    request.grid = grid;
+    return draftedPrism(request);
+}
+
+} // namespace
+
+std::vector<Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions, const Block& block,
+                                const Obstacles& obstacles, double steel) {
+    const double shift = shiftOf(keys, directions);
+    std::vector<Vector2d> places;
+    Obstacles taken = obstacles;
+    for (const Vector2d& wish : wishes(block, keys.count)) {
+        const double radius = socketRadius(keys, places.empty(), shift);
+        const std::optional<Vector2d> place = nearestFree(wish, radius, block, taken, steel);
+        if (!place)
+            break;
+        places.push_back(*place);
+        taken.push_back(planCircle(*place, radius, keyCorners));
+    }
+    return places;
+}
+
+Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const Vector2d& place,
+                                        const Directions& directions, double draftDegrees, double grid) {
+    RegistrationKey key;
+    key.place = place;
+    key.diameter = diameterOf(keys, odd);
+    const double draft = std::max(keys.draft, draftDegrees);
+    Result<DraftedPrism> frustum1 =
+        frustum(planCircle(place, key.diameter / 2, keyCorners), keys.height, directions, draft, grid);
+    if (!frustum1)
+        return std::unexpected(frustum1.error());
+    key.key = *std::move(frustum1);
+    double steepest = 0;
+    for (const double slope : key.key.slope[0])
+        steepest = std::max(steepest, std::abs(slope));
+    key.leanDegrees = degrees(std::atan(steepest));
+    // Across a wall of slope k a gap of c is c·√(1+k²) along the plane, and the polygon's sides lie within
+    // the circle through its corners.
+    const double gap = keys.clearance * std::sqrt(1 + steepest * steepest) / std::cos(radians(180.0 / keyCorners));
+    Result<DraftedPrism> socket = frustum(planCircle(place, key.diameter / 2 + gap, keyCorners),
+                                          keys.height + keys.clearance, directions, draft, grid);
+    if (!socket)
+        return std::unexpected(socket.error());
+    key.socket = *std::move(socket);
+    return key;
+}
+
+std::vector<Vector2d> slitPlaces(const SlitSettings& slits, const Block& block, const Obstacles& obstacles,
+                                 double steel) {
+    std::vector<Vector2d> places;
+    Obstacles taken = obstacles;
+    const double reach = block.max().y() - slits.width / 2 - steel;
+    const Vector2d middle = block.center().head<2>();
+    const auto free = [&](const Vector2d& place) {
+        return keepsClear(slitShape(slits, place), taken, steel);
+    };
+    // From the corner inwards: there the leverage is best.
+    for (double y = reach; y > middle.y() && static_cast<int>(places.size()) < slits.count; y -= searchStep)
+        for (const double way : {1.0, -1.0}) {
+            const Vector2d place(block.max().x(), middle.y() + way * (y - middle.y()));
+            const Vector2d opposite(block.min().x(), middle.y() - way * (y - middle.y()));
+            if (static_cast<int>(places.size()) >= slits.count || !free(place) ||
+                (slits.count > 1 && !free(opposite)))
+                continue;
+            for (const Vector2d& p : {place, opposite})
+                if (static_cast<int>(places.size()) < slits.count) {
+                    places.push_back(p);
+                    taken.push_back(slitShape(slits, p));
+                }
+        }
+    return places;
+}
+
+PlanShape slitShape(const SlitSettings& slits, const Vector2d& place) {
+    const double inner = place.x() > 0 ? place.x() - slits.depth : place.x() + slits.depth;
+    return planRectangle({std::min(inner, place.x()), place.y() - slits.width / 2},
+                         {std::max(inner, place.x()), place.y() + slits.width / 2});
+}
+
+Result<WedgeSlit> wedgeSlit(const SlitSettings& slits, const Vector2d& place, const Directions& directions,
+                            double draftDegrees, double grid) {
+    PrismRequest request;
+    request.base = slitShape(slits, place);
+    request.openings = {{place.x() > 0 ? 1UL : 3UL, {0, 0}}};
+    request.height = {slits.height, slits.height};
+    request.directions = {std::vector{directions.d1}, std::vector{directions.d2}};
+    request.draftDegrees = draftDegrees + 0.5;
+    request.leastSlope = 0;
+    request.grid = grid;
+    Result<DraftedPrism> prism = draftedPrism(request);
+    if (!prism)
+        return std::unexpected(prism.error());
+    return WedgeSlit{*std::move(prism), place};
+}
+
+} // namespace moldwright

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "base/result.h"
+#include "castability/mold_state.h"
+#include "features/drafted_prism.h"
+#include "mold/block.h"
+#include "mold/mold_settings.h"
+
+#include <vector>
+
+namespace moldwright {
+
+/// A key and its socket: a frustum on half 2, and one in half 1 that is larger by the clearance.
+struct RegistrationKey {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double diameter = 0;
+    double leanDegrees = 0; ///< the most that its wall leans from the normal
+    DraftedPrism key;       ///< stands on side 1
+    DraftedPrism socket;
+};
+
+/// A notch at the block's outer edge.
+struct WedgeSlit {
+    DraftedPrism prism; ///< opens by its first opening into the block's face; mm, mold's frame
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+};
+
+/// What stands in the parting plane already.
+using Obstacles = std::vector<PlanShape>;
+
+/// Places for the keys as near to the block's corners as steel to everything else allows, the larger one first;
+/// fewer than asked for where there is no room: then the block must grow.
+[[nodiscard]] std::vector<Eigen::Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions,
+                                                     const Block& block, const Obstacles& obstacles,
+                                                     double steel);
+
+/// A key at a place. Its walls leave along d1 and along −d2: so either half may be opened first, or both at
+/// once. Errors: Impossible.
+[[nodiscard]] Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd,
+                                                      const Eigen::Vector2d& place,
+                                                      const Directions& directions, double draftDegrees,
+                                                      double grid);
+
+/// Places for slits at the faces left and right, in opposite pairs about the block's middle as far from the
+/// spout's end as from the other; fewer where there is no room.
+[[nodiscard]] std::vector<Eigen::Vector2d> slitPlaces(const SlitSettings& slits, const Block& block,
+                                                      const Obstacles& obstacles, double steel);
+
+/// The area of a slit whose mouth's middle is at `place`, on the block's left or right face.
+[[nodiscard]] PlanShape slitShape(const SlitSettings& slits, const Eigen::Vector2d& place);
+
+/// A slit in both halves. Errors: Impossible.
+[[nodiscard]] Result<WedgeSlit> wedgeSlit(const SlitSettings& slits, const Eigen::Vector2d& place,
+                                          const Directions& directions, double draftDegrees, double grid);
+
+} // namespace moldwright

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "project/mold_settings_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace moldwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Names in files, in the order of the enumerations.
+constexpr std::array<std::string_view, 2> formulaNames = {"plus", "divide"};
+constexpr std::array<std::string_view, 3> arrangementNames = {"grid", "staggered", "packed"};
+constexpr std::array<std::string_view, 4> alternationNames = {"none", "turn", "flip", "mirror"};
+constexpr std::array<std::string_view, 5> pourNames = {"auto", "0", "90", "180", "270"};
+
+/// Visits each value of the settings with its key, so that writing and reading cannot disagree.
+template <class Visitor, class Settings>
+void visit(Visitor& at, Settings& mold) {
+    at.value({"wall"}, mold.wall);
+    at.value({"floor"}, mold.floor);
+    at.value({"ceiling"}, mold.ceiling);
+    at.value({"step"}, mold.step);
+    at.value({"pressure_bar"}, mold.pressure);
+    at.value({"least_steel"}, mold.leastSteel);
+    at.value({"density"}, mold.density);
+    at.value({"block_density"}, mold.blockDensity);
+    at.value({"layout", "rows"}, mold.layout.rows);
+    at.value({"layout", "columns"}, mold.layout.columns);
+    at.name({"layout", "arrangement"}, mold.layout.arrangement, arrangementNames);
+    at.name({"layout", "alternation"}, mold.layout.alternation, alternationNames);
+    at.value({"layout", "spacing"}, mold.layout.spacing);
+    for (const auto& [axis, key] : {std::pair{0, "x"}, std::pair{1, "y"}, std::pair{2, "z"}}) {
+        at.value({"shrink", "percent", key}, mold.shrink.percent[axis]);
+        at.value({"shrink", "origin", key}, mold.shrink.origin[axis]);
+    }
+    at.name({"shrink", "formula"}, mold.shrink.formula, formulaNames);
+    at.value({"spout", "on"}, mold.spout.on);
+    at.value({"spout", "diameter"}, mold.spout.diameter);
+    at.value({"spout", "funnel"}, mold.spout.funnel);
+    at.value({"spout", "gate"}, mold.spout.gate);
+    at.value({"spout", "draft_deg"}, mold.spout.draft);
+    at.name({"spout", "pour"}, mold.spout.pour, pourNames);
+    at.value({"vents", "on"}, mold.vents.on);
+    at.value({"vents", "diameter"}, mold.vents.diameter);
+    at.value({"vents", "smallest_trap"}, mold.vents.smallestTrap);
+    at.value({"keys", "count"}, mold.keys.count);
+    at.value({"keys", "diameter"}, mold.keys.diameter);
+    at.value({"keys", "height"}, mold.keys.height);
+    at.value({"keys", "clearance"}, mold.keys.clearance);
+    at.value({"keys", "draft_deg"}, mold.keys.draft);
+    at.value({"keys", "odd_by"}, mold.keys.oddBy);
+    at.value({"slits", "count"}, mold.slits.count);
+    at.value({"slits", "depth"}, mold.slits.depth);
+    at.value({"slits", "width"}, mold.slits.width);
+    at.value({"slits", "height"}, mold.slits.height);
+}
+
+using Path = std::initializer_list<const char*>;
+
+struct Writer {
+    Json json = Json::object();
+
+    template <class T>
+    void value(Path path, const T& value) {
+        Json* at = &json;
+        for (const char* key : path)
+            at = &(*at)[key];
+        *at = value;
+    }
+    template <class E, std::size_t N>
+    void name(Path path, E choice, const std::array<std::string_view, N>& names) {
+        value(path, std::string(names.at(static_cast<std::size_t>(choice))));
+    }
+};
+
+struct Reader {
+    const Json& json;
+
+    [[nodiscard]] const Json* find(Path path) const {
+        const Json* at = &json;
+        for (const char* key : path) {
+            if (!at->is_object() || !at->contains(key))
+                return nullptr;
+            at = &at->at(key);
+        }
+        return at;
+    }
+    template <class T>
+    void value(Path path, T& value) const {
+        if (const Json* found = find(path))
+            value = found->get<T>();
+    }
+    template <class E, std::size_t N>
+    void name(Path path, E& choice, const std::array<std::string_view, N>& names) const {
+        const Json* found = find(path);
+        if (found == nullptr)
+            return;
+        const auto at = std::find(names.begin(), names.end(), found->get<std::string>());
+        if (at == names.end())
+            throw Json::other_error::create(501, "unknown name " + found->get<std::string>(), found);
+        choice = static_cast<E>(at - names.begin());
+    }
+};
+
+} // namespace
+
+Json moldSettingsJson(const MoldSettings& settings) {
+    Writer writer;
+    visit(writer, settings);
+    return std::move(writer.json);
+}
+
+MoldSettings moldSettingsFrom(const Json& json) {
+    MoldSettings settings;
+    const Reader reader{json};
+    visit(reader, settings);
+    return settings;
+}
+
+} // namespace moldwright
