@@ -76,17 +76,16 @@ constexpr const char* manual =
 } // namespace
 
 Command moldCommand() {
-    return {"mold", "Build, prove and write the two mold halves of a cast", manual, [](CLI::App& app) {
-                auto job = std::make_shared<MoldJob>();
-                app.add_option("IN", job->input, "Project file, or folder written by design")
-                    ->type_name("FILE|DIR")
-                    ->required();
-                app.add_option("--out", job->folder, "Folder for the mold's files")
-                    ->type_name("DIR")
-                    ->required();
-                job->mold.declare(app);
-                return Action([job](const Session& session) { return build(*job, session); });
-            }};
+    return {
+        "mold", "Build, prove and write the two mold halves of a cast", manual, [](CLI::App& app) {
+            auto job = std::make_shared<MoldJob>();
+            app.add_option("IN", job->input, "Project file, or folder written by design")
+                ->type_name("FILE|DIR")
+                ->required();
+            app.add_option("--out", job->folder, "Folder for the mold's files")->type_name("DIR")->required();
+            job->mold.declare(app);
+            return Action([job](const Session& session) { return build(*job, session); });
+        }};
 }
 
 } // namespace moldwright::cli

@@ -53,7 +53,8 @@ void MoldOptions::declare(CLI::App& app) {
         ->check(CLI::IsMember({"none", "turn", "flip", "mirror"}));
     length(app, "--spacing", spacing, "Steel between cavities, and between them and channels");
 
-    app.add_option("--shrink", shrink, "Linear shrink to make up for, in percent: one number, or x y z of the part")
+    app.add_option("--shrink", shrink,
+                   "Linear shrink to make up for, in percent: one number, or x y z of the part")
         ->type_name("PERCENT")
         ->expected(1, 3);
     app.add_option("--shrink-formula", shrinkFormula, "plus: 1+S, divide: 1/(1-S)")
@@ -144,7 +145,8 @@ Result<void> MoldOptions::applyLayout(LayoutSettings& layout) const {
 
 Result<void> MoldOptions::applyShrink(ShrinkSettings& settings) const {
     if (shrink.size() == 2)
-        return failure(ErrorCode::Usage, MW_TEXT("cli", "--shrink takes one number, or three: along x, y and z."));
+        return failure(ErrorCode::Usage,
+                       MW_TEXT("cli", "--shrink takes one number, or three: along x, y and z."));
     if (shrink.size() == 1)
         settings.percent.setConstant(shrink[0]);
     if (shrink.size() == 3)

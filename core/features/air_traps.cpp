@@ -82,8 +82,8 @@ private:
     }
     int rootOf(int v) {
         while (m_root[static_cast<std::size_t>(v)] != v)
-            v = m_root[static_cast<std::size_t>(v)] = m_root[static_cast<std::size_t>(
-                m_root[static_cast<std::size_t>(v)])];
+            v = m_root[static_cast<std::size_t>(v)] =
+                m_root[static_cast<std::size_t>(m_root[static_cast<std::size_t>(v)])];
         return v;
     }
     void reach(int v) {
@@ -156,7 +156,8 @@ double airAbove(const IndexedMesh& cast, const Vector3d& up, const AirTrap& trap
         isAbove[static_cast<std::size_t>(v)] = true;
     std::vector<int> faces;
     for (int f = 0; f < cast.faceCount(); ++f)
-        if (isAbove[static_cast<std::size_t>(cast.F(f, 0))] || isAbove[static_cast<std::size_t>(cast.F(f, 1))] ||
+        if (isAbove[static_cast<std::size_t>(cast.F(f, 0))] ||
+            isAbove[static_cast<std::size_t>(cast.F(f, 1))] ||
             isAbove[static_cast<std::size_t>(cast.F(f, 2))])
             faces.push_back(f);
     return volumeAbove(cast, faces, up, level);

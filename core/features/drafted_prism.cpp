@@ -49,8 +49,9 @@ Result<std::vector<double>> slopesOf(const PrismRequest& request, std::size_t si
                       request.draftDegrees);
         if (!slope)
             return failure(ErrorCode::Impossible,
-                           MW_TEXT("Mold", "A wall at the parting plane would have to lie flat to leave along "
-                                           "the removal directions with {0}°."),
+                           MW_TEXT("Mold",
+                                   "A wall at the parting plane would have to lie flat to leave along "
+                                   "the removal directions with {0}°."),
                            {readable(request.draftDegrees)});
         slopes.push_back(std::max(*slope, request.leastSlope));
     }
@@ -116,7 +117,8 @@ private:
 };
 
 /// Those at one edge, in their order along it.
-std::vector<Guest> guestsAlong(const DraftedPrism& prism, std::size_t edge, const std::vector<Guest>& guests) {
+std::vector<Guest> guestsAlong(const DraftedPrism& prism, std::size_t edge,
+                               const std::vector<Guest>& guests) {
     std::vector<Guest> along;
     for (const Guest& guest : guests)
         if (guest.edge == edge)
@@ -235,8 +237,9 @@ Result<DraftedPrism> draftedPrism(const PrismRequest& request) {
         }
         if (!keepsItsEdges(prism.base, prism.lid[side]))
             return failure(ErrorCode::Impossible,
-                           MW_TEXT("Mold", "A channel {0} mm deep closes before its floor: it is too narrow for "
-                                           "the lean that its walls need."),
+                           MW_TEXT("Mold",
+                                   "A channel {0} mm deep closes before its floor: it is too narrow for "
+                                   "the lean that its walls need."),
                            {readable(height)});
         prism.slope[side] = *std::move(slopes);
     }
@@ -255,7 +258,8 @@ Result<DraftedPrism> prismAsHighAsFits(PrismRequest request) {
     return prism;
 }
 
-std::optional<IndexedMesh> prismSurface(const DraftedPrism& prism, int side, const std::vector<Guest>& guests) {
+std::optional<IndexedMesh> prismSurface(const DraftedPrism& prism, int side,
+                                        const std::vector<Guest>& guests) {
     Surface surface;
     if (!prism.stands(side))
         addFoot(surface, prism, side, guests);

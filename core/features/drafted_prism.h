@@ -13,23 +13,23 @@
 namespace moldwright {
 
 /// What every feature of a mold is made from: a body on a polygon of the parting plane, with walls that lean
-/// inwards as far as the removal directions ask, and a flat lid. A spout or runner stands on both sides of the
-/// plane, a key and its socket on one. Where it opens into the block's face or into a wider channel it has no
-/// wall: its section ends there, and both sides of the joint have the same points, to the bit.
+/// inwards as far as the removal directions ask, and a flat lid. A spout or runner stands on both sides of
+/// the plane, a key and its socket on one. Where it opens into the block's face or into a wider channel it
+/// has no wall: its section ends there, and both sides of the joint have the same points, to the bit.
 struct DraftedPrism {
-    /// A foot without a wall, and the plane that the section ends in: vertical, or the other channel's wall, whose
-    /// slope is given for side 1 and 2 as the inset of *that* wall.
+    /// A foot without a wall, and the plane that the section ends in: vertical, or the other channel's wall,
+    /// whose slope is given for side 1 and 2 as the inset of *that* wall.
     struct Opening {
         std::size_t edge = 0;
         std::array<double, 2> slope{0, 0};
     };
 
-    PlanShape base;                              ///< on the plane
+    PlanShape base; ///< on the plane
     std::vector<Opening> openings;
-    std::array<double, 2> height{0, 0};          ///< mm on side 1 and 2; 0: nothing there
-    std::array<PlanShape, 2> lid;                ///< per side: the lid's corner over each of the base; empty without
-    std::array<std::vector<double>, 2> slope;    ///< per side and edge: inset over height
-    double grid = 0;                             ///< mm that all coordinates are multiples of
+    std::array<double, 2> height{0, 0}; ///< mm on side 1 and 2; 0: nothing there
+    std::array<PlanShape, 2> lid;       ///< per side: the lid's corner over each of the base; empty without
+    std::array<std::vector<double>, 2> slope; ///< per side and edge: inset over height
+    double grid = 0;                          ///< mm that all coordinates are multiples of
 
     [[nodiscard]] Eigen::Vector3d foot(std::size_t k) const { return {base[k].x(), base[k].y(), 0}; }
     [[nodiscard]] Eigen::Vector3d top(int side, std::size_t k) const;
@@ -45,11 +45,11 @@ struct PrismRequest {
     std::array<std::vector<Eigen::Vector3d>, 2> directions;
     double draftDegrees = 5;
     double leastSlope = -1e3; ///< walls lean at least this much, even where a tilted direction asks for less
-    double grid = 0; ///< mm, a power of two; all points are rounded to multiples of it
+    double grid = 0;          ///< mm, a power of two; all points are rounded to multiples of it
 };
 
-/// The prism, or why there is none: walls that would have to lie flat (Impossible), or a lid that closes before
-/// the height is reached because the base is too narrow (Impossible).
+/// The prism, or why there is none: walls that would have to lie flat (Impossible), or a lid that closes
+/// before the height is reached because the base is too narrow (Impossible).
 [[nodiscard]] Result<DraftedPrism> draftedPrism(const PrismRequest& request);
 
 /// The same with the greatest height at which a lid remains whose width is at least a fifth of the base's, if
@@ -58,8 +58,8 @@ struct PrismRequest {
 
 /// A prism that opens into a wall of another.
 struct Guest {
-    std::size_t edge = 0; ///< of the host's base
-    const DraftedPrism* prism = nullptr; ///< opens by its first opening
+    std::size_t edge = 0;                            ///< of the host's base
+    const DraftedPrism* prism = nullptr;             ///< opens by its first opening
     Eigen::Vector2d moved = Eigen::Vector2d::Zero(); ///< where it stands, mm from its own coordinates
 };
 
@@ -72,8 +72,8 @@ struct Guest {
 /// opening.
 [[nodiscard]] std::optional<IndexedMesh> prismSolid(const DraftedPrism& prism);
 
-/// The sections' borders at the openings: foot and top at either end, on both sides. Faces with all corners among
-/// these close a solid there.
+/// The sections' borders at the openings: foot and top at either end, on both sides. Faces with all corners
+/// among these close a solid there.
 [[nodiscard]] std::vector<Eigen::Vector3d> openingPoints(const DraftedPrism& prism);
 
 /// `value` as the nearest multiple of the grid.

@@ -18,12 +18,12 @@ struct JointRequest {
     std::vector<Eigen::Vector3d> openings;
 };
 
-/// The cast with channels that cross it, as one closed solid. A union of graphs over the plane is one, so nothing
-/// is lost but by rounding: where rounded points no longer give a sound solid, or a face falls below the draft,
-/// the answer is none, and the caller moves the channel a little. Exact corefinement; only for what really crosses.
-[[nodiscard]] std::optional<IndexedMesh> joinedSolid(const IndexedMesh& cast,
-                                                     const std::vector<IndexedMesh>& bodies,
-                                                     const JointRequest& request);
+/// The cast with channels that cross it, as one closed solid. A union of graphs over the plane is one, so
+/// nothing is lost but by rounding: where rounded points no longer give a sound solid, or a face falls below
+/// the draft, the answer is none, and the caller moves the channel a little. Exact corefinement; only for
+/// what really crosses.
+[[nodiscard]] std::optional<IndexedMesh>
+joinedSolid(const IndexedMesh& cast, const std::vector<IndexedMesh>& bodies, const JointRequest& request);
 
 /// `mesh` without the faces whose corners are all among `points`.
 [[nodiscard]] IndexedMesh openedAt(const IndexedMesh& mesh, const std::vector<Eigen::Vector3d>& points);

@@ -37,9 +37,8 @@ public:
 
     [[nodiscard]] bool holds(const PlanShape& shape, double height, double margin) const {
         const double z = m_side == 1 ? height : -height;
-        return std::all_of(shape.begin(), shape.end(), [&](const Vector2d& p) {
-            return m_over.above({p.x(), p.y(), z}) > margin;
-        });
+        return std::all_of(shape.begin(), shape.end(),
+                           [&](const Vector2d& p) { return m_over.above({p.x(), p.y(), z}) > margin; });
     }
 
 private:
@@ -101,9 +100,8 @@ std::optional<ThroughVent> throughVent(const IndexedMesh& cast, const SideLabels
         for (int level = 0; level < levels; ++level) {
             const double foot = onGrid(top * (levels - level) / (levels + 1), request.grid);
             const double radius = request.diameter / 2 + *wider * (request.end - foot) + 4 * request.grid;
-            const Vector2d centre =
-                highPoint.head<2>() + back * radius * (1 + 0.25 * way) +
-                d.head<2>() / d.z() * ((side == 1 ? foot : -foot) - highPoint.z());
+            const Vector2d centre = highPoint.head<2>() + back * radius * (1 + 0.25 * way) +
+                                    d.head<2>() / d.z() * ((side == 1 ? foot : -foot) - highPoint.z());
             if (foot <= 0 || !inside.holds(planCircle(centre, radius, corners), foot, 0.1 * request.diameter))
                 continue;
             std::optional<ThroughVent> vent = ventAt(centre, foot, side, d, radius, request);

@@ -9,14 +9,14 @@
 
 namespace moldwright {
 
-/// A hole through a mold half along its removal direction, from a high point of the cavity to the block's outer
-/// face; it narrows outwards, since what solidifies in it must leave with the cast.
+/// A hole through a mold half along its removal direction, from a high point of the cavity to the block's
+/// outer face; it narrows outwards, since what solidifies in it must leave with the cast.
 struct ThroughVent {
     int side = 1;
-    DraftedPrism body; ///< stands `foot` above the plane instead of on it
-    double foot = 0;   ///< mm from the plane, inside the cavity
+    DraftedPrism body;                               ///< stands `foot` above the plane instead of on it
+    double foot = 0;                                 ///< mm from the plane, inside the cavity
     Eigen::Vector3d mouth = Eigen::Vector3d::Zero(); ///< centre of the opening, mm, mold's frame
-    double reach = 0;  ///< mm along `up`: the highest point of its foot
+    double reach = 0;                                ///< mm along `up`: the highest point of its foot
 
     /// The body closed, in the mold's frame.
     [[nodiscard]] IndexedMesh solid() const;
@@ -30,13 +30,11 @@ struct ThroughVentRequest {
     double grid = 0;
 };
 
-/// A vent for the air at `highPoint`, a point of `cast` (mold's frame, plane z = 0) on the given side: its foot
-/// lies wholly inside the cast, as near to the point as that allows, so that the joined body is still a graph
-/// along the direction. None where the cast is too slender for the foot.
-[[nodiscard]] std::optional<ThroughVent> throughVent(const IndexedMesh& cast, const SideLabels& labels,
-                                                     const Directions& directions, int side,
-                                                     const Eigen::Vector3d& highPoint,
-                                                     const Eigen::Vector3d& up,
-                                                     const ThroughVentRequest& request);
+/// A vent for the air at `highPoint`, a point of `cast` (mold's frame, plane z = 0) on the given side: its
+/// foot lies wholly inside the cast, as near to the point as that allows, so that the joined body is still a
+/// graph along the direction. None where the cast is too slender for the foot.
+[[nodiscard]] std::optional<ThroughVent>
+throughVent(const IndexedMesh& cast, const SideLabels& labels, const Directions& directions, int side,
+            const Eigen::Vector3d& highPoint, const Eigen::Vector3d& up, const ThroughVentRequest& request);
 
 } // namespace moldwright

@@ -14,8 +14,9 @@ namespace moldwright {
 ///
 ///     N = (m + k e) / √(1+k²),   k = tan(asin(sin(draft)/ρ) − atan2(m·d, e·d)),   ρ = √((m·d)² + (e·d)²).
 ///
-/// Along the tilt of a direction the wall on one side leans more and the other less, even outwards (k < 0): the
-/// section then follows the direction. None when sin(draft) > ρ, or where directions contradict each other.
+/// Along the tilt of a direction the wall on one side leans more and the other less, even outwards (k < 0):
+/// the section then follows the direction. None when sin(draft) > ρ, or where directions contradict each
+/// other.
 [[nodiscard]] std::optional<double> wallSlope(const Eigen::Vector2d& m, int side,
                                               const std::vector<Eigen::Vector3d>& directions,
                                               double draftDegrees);

@@ -59,9 +59,10 @@ public:
         }
         Error error;
         error.code = ErrorCode::Impossible;
-        error.message = {MW_TEXT("Mold", "The channels could not be joined to the cavity soundly at any of {0} nearby "
-                                         "places. Another pour direction or gate width may help."),
-                         {std::to_string(attempts)}};
+        error.message = {
+            MW_TEXT("Mold", "The channels could not be joined to the cavity soundly at any of {0} nearby "
+                            "places. Another pour direction or gate width may help."),
+            {std::to_string(attempts)}};
         for (const Gate& gate : gates)
             error.places.push_back(m_kind.cast.point(gate.point));
         return std::unexpected(error);
@@ -77,15 +78,16 @@ private:
         const Vector3d tip = m_kind.cast.point(gate.point);
         const double axis = nudged(tip.x(), width);
         const double bottom = tip.y() - gate.drop * (1 + 0.03 * m_nudge);
-        PlanShape shape =
-            m_plan.spout ? spoutShape(axis, bottom, width, tip.y() + m_plan.settings->layout.spacing / 2,
-                                      m_plan.line, m_plan.widths.straight(), m_plan.settings->spout)
-                         : planRectangle({axis - width / 2, bottom}, {axis + width / 2, m_plan.line});
+        PlanShape shape = m_plan.spout
+                              ? spoutShape(axis, bottom, width, tip.y() + m_plan.settings->layout.spacing / 2,
+                                           m_plan.line, m_plan.widths.straight(), m_plan.settings->spout)
+                              : planRectangle({axis - width / 2, bottom}, {axis + width / 2, m_plan.line});
         if (!wayIsFree(shape, tip.y() + 0.5)) {
             Error error;
             error.code = ErrorCode::Impossible;
-            error.message.text = MW_TEXT("Mold", "The way from a cavity's gate to the runner passes through another "
-                                                 "part of the cavity. Choose another pour direction.");
+            error.message.text =
+                MW_TEXT("Mold", "The way from a cavity's gate to the runner passes through another "
+                                "part of the cavity. Choose another pour direction.");
             error.places.push_back(tip);
             return std::unexpected(std::move(error));
         }
@@ -100,11 +102,14 @@ private:
             p.y() = std::max(p.y(), above);
         rest.erase(std::unique(rest.begin(), rest.end()), rest.end());
         // Its own hump may be flat: only what lies beyond is in the way.
-        return rest.size() < 3 || std::none_of(m_outlines.begin(), m_outlines.end(), [&](const PlanShape& outline) {
-                   return std::any_of(outline.begin(), outline.end(), [&](const Vector2d& p) {
-                       return p.y() > above && insidePlan(rest, p);
+        return rest.size() < 3 ||
+               std::none_of(
+                   m_outlines.begin(), m_outlines.end(),
+                   [&](const PlanShape& outline) {
+                       return std::any_of(outline.begin(), outline.end(), [&](const Vector2d& p) {
+                           return p.y() > above && insidePlan(rest, p);
+                       });
                    });
-               });
     }
 
     Result<void> add(PlanShape shape, double width, const char* name, bool isVent) {
@@ -134,8 +139,8 @@ private:
             return false;
         const double width = vents.diameter * (1 + 0.02 * m_nudge);
         const double axis = nudged(cast.V(best, 0), width);
-        PlanShape shape = planRectangle({axis - width / 2, cast.V(best, 1) - width},
-                                        {axis + width / 2, m_plan.line});
+        PlanShape shape =
+            planRectangle({axis - width / 2, cast.V(best, 1) - width}, {axis + width / 2, m_plan.line});
         if (!wayIsFree(shape, cast.V(best, 1) + 0.3) || !keepsClear(shape))
             return false;
         return add(std::move(shape), width, "Vent", true).has_value();
@@ -160,8 +165,8 @@ private:
         // More than the mold's draft, so that rounding at the joint cannot take it away.
         request.draftDegrees = m_plan.draftDegrees + 0.5;
         request.grid = m_plan.rules.grid;
-        std::optional<ThroughVent> found = throughVent(m_kind.cast, m_kind.labels, m_plan.rules.directions, side,
-                                                       top, Vector3d::UnitY(), request);
+        std::optional<ThroughVent> found = throughVent(m_kind.cast, m_kind.labels, m_plan.rules.directions,
+                                                       side, top, Vector3d::UnitY(), request);
         if (!found || !keepsClear(found->body.base))
             return false;
         const double left = airAbove(m_kind.cast, Vector3d::UnitY(), trap, found->reach);

@@ -30,10 +30,10 @@ struct JointPlan {
     const MoldSettings* settings = nullptr;
     ChannelRules rules;
     ChannelWidths widths;
-    double draftDegrees = 1;         ///< of the mold
-    double line = 0;                 ///< y at which stubs end, the kind's coordinates
-    std::array<double, 2> slope{};   ///< of the wall that they end in
-    bool spout = false;              ///< the only cavity: its gate is the spout itself
+    double draftDegrees = 1;          ///< of the mold
+    double line = 0;                  ///< y at which stubs end, the kind's coordinates
+    std::array<double, 2> slope{};    ///< of the wall that they end in
+    bool spout = false;               ///< the only cavity: its gate is the spout itself
     std::array<double, 2> blockEnd{}; ///< distance of the block's outer faces from the plane, mm
 };
 

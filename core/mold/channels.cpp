@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double heightOverWidth = 0.4;  ///< on each side: a section near to a circle's
-constexpr double leastLean = 0.02;       ///< a channel's wall never overhangs the plane's normal
-constexpr double guestBelowHost = 0.85;  ///< so that a wall stays above a guest's section
+constexpr double heightOverWidth = 0.4; ///< on each side: a section near to a circle's
+constexpr double leastLean = 0.02;      ///< a channel's wall never overhangs the plane's normal
+constexpr double guestBelowHost = 0.85; ///< so that a wall stays above a guest's section
 
 /// A runner from its far end to the main runner's wall, or the other way round.
 struct RunnerPlan {
@@ -31,8 +31,9 @@ Result<std::array<double, 2>> ChannelRules::slope(const Vector2d& m) const {
         const std::optional<double> k = wallSlope(m, side, {directions.of(side)}, draftDegrees);
         if (!k)
             return failure(ErrorCode::Impossible,
-                           MW_TEXT("Mold", "A channel's wall would have to lie flat to leave along the removal "
-                                           "directions with {0}°."),
+                           MW_TEXT("Mold",
+                                   "A channel's wall would have to lie flat to leave along the removal "
+                                   "directions with {0}°."),
                            {readable(draftDegrees)});
         slopes[side == 1 ? 0 : 1] = std::max(*k, leastLean);
     }
@@ -69,8 +70,8 @@ Result<ChannelWidths> ChannelWidths::of(const SpoutSettings& spout, const Channe
     return widths;
 }
 
-PlanShape spoutShape(double axis, double bottom, double width, double neckEnd, double top,
-                     double straight, const SpoutSettings& spout) {
+PlanShape spoutShape(double axis, double bottom, double width, double neckEnd, double top, double straight,
+                     const SpoutSettings& spout) {
     const double neck = width / 2;
     const double full = std::max(spout.diameter / 2, neck);
     const double funnel = std::max(spout.funnel / 2, full);
@@ -134,8 +135,7 @@ class NetBuilder {
 public:
     NetBuilder(const Layout& layout, const std::vector<std::vector<Stub>>& stubs, const SpoutSettings& spout,
                const ChannelWidths& widths, const ChannelRules& rules, const FaceEnd& end)
-        : m_layout(layout), m_stubs(stubs), m_spout(spout), m_rules(rules), m_end(end),
-          m_widths(widths) {}
+        : m_layout(layout), m_stubs(stubs), m_spout(spout), m_rules(rules), m_end(end), m_widths(widths) {}
 
     Result<RunnerNet> build() {
         if (Result<void> done = addMain(); !done)
@@ -150,11 +150,10 @@ public:
 
 private:
     Result<void> addMain() {
-        const double bottom =
-            m_layout.runnerAxes.front() - m_widths.runner / 2 - m_widths.beside;
+        const double bottom = m_layout.runnerAxes.front() - m_widths.runner / 2 - m_widths.beside;
         const double neckEnd = m_layout.runnerAxes.back() + m_widths.runner / 2 + m_widths.beside;
-        PlanShape shape =
-            spoutShape(m_layout.mainAxis, bottom, m_widths.main, neckEnd, m_end.line, m_widths.straight(), m_spout);
+        PlanShape shape = spoutShape(m_layout.mainAxis, bottom, m_widths.main, neckEnd, m_end.line,
+                                     m_widths.straight(), m_spout);
         m_mainTop = shape.size() / 2; // the edge along the top, right to left
         Result<DraftedPrism> prism =
             m_rules.prism(std::move(shape), heightOverWidth * m_widths.main, {{m_mainTop, {0, 0}}});
@@ -192,16 +191,16 @@ private:
         const std::size_t hostEdge = left ? main.prism.base.size() - 1 : 1;
         const std::array<double, 2> hostSlope = slopeAt(main.prism, hostEdge);
         // Of the rectangle's edges 1 looks right, 3 left.
-        Result<DraftedPrism> prism =
-            m_rules.prism(planRectangle({plan->from, axis - half}, {plan->to, axis + half}),
-                          guestHeight(heightOverWidth * m_widths.runner, main.prism),
-                          {{left ? 1UL : 3UL, hostSlope}});
+        Result<DraftedPrism> prism = m_rules.prism(
+            planRectangle({plan->from, axis - half}, {plan->to, axis + half}),
+            guestHeight(heightOverWidth * m_widths.runner, main.prism), {{left ? 1UL : 3UL, hostSlope}});
         if (!prism)
             return std::unexpected(prism.error());
         if (!carriesItsStubs(*prism, row, left))
             return failure(ErrorCode::Impossible,
-                           MW_TEXT("Mold", "A runner can only be {0} mm deep here, which is too little for the gates "
-                                           "that open into it. Take a wider spout or narrower gates."),
+                           MW_TEXT("Mold",
+                                   "A runner can only be {0} mm deep here, which is too little for the gates "
+                                   "that open into it. Take a wider spout or narrower gates."),
                            {readable(std::max(prism->height[0], prism->height[1]))});
         m_net.channels.push_back({*std::move(prism), {}, "Runner"});
         Channel& runner = m_net.channels.back();
@@ -236,7 +235,8 @@ private:
             double x = 0;
             for (const Vector2d& p : gate.base)
                 x += p.x() / static_cast<double>(gate.base.size());
-            m_net.pathLengths.push_back(m_end.face - axis + std::abs(x + copy.offset.x() - m_layout.mainAxis));
+            m_net.pathLengths.push_back(m_end.face - axis +
+                                        std::abs(x + copy.offset.x() - m_layout.mainAxis));
         }
     }
 
@@ -253,8 +253,8 @@ private:
 } // namespace
 
 Result<RunnerNet> runnerNet(const Layout& layout, const std::vector<std::vector<Stub>>& stubsOfKind,
-                            const SpoutSettings& spout, const ChannelWidths& widths, const ChannelRules& rules,
-                            const FaceEnd& end) {
+                            const SpoutSettings& spout, const ChannelWidths& widths,
+                            const ChannelRules& rules, const FaceEnd& end) {
     return NetBuilder(layout, stubsOfKind, spout, widths, rules, end).build();
 }
 

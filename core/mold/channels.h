@@ -16,7 +16,7 @@ namespace moldwright {
 /// What all channels of one mold share.
 struct ChannelRules {
     Directions directions;
-    double draftDegrees = 5; ///< of their walls, against the directions
+    double draftDegrees = 5;               ///< of their walls, against the directions
     std::array<bool, 2> sides{true, true}; ///< on which a channel stands: not where the cavity has no depth
     double grid = 0;
 
@@ -42,8 +42,8 @@ struct ChannelWidths {
     [[nodiscard]] RunnerRoom room() const { return {runner + 2 * beside, main + 2 * beside}; }
 };
 
-/// A channel from a cavity upwards, in its kind's coordinates. It crosses the cavity's wall, so it is joined to
-/// it exactly; its other end opens into a runner or the block's face.
+/// A channel from a cavity upwards, in its kind's coordinates. It crosses the cavity's wall, so it is joined
+/// to it exactly; its other end opens into a runner or the block's face.
 struct Stub {
     DraftedPrism prism;
     std::string name;
@@ -79,7 +79,8 @@ struct FaceEnd {
 
 /// Runners of all rows and the main runner with its spout, joined: each row's opens into the main one, each
 /// stub of each copy into its row's. Errors: Impossible.
-[[nodiscard]] Result<RunnerNet> runnerNet(const Layout& layout, const std::vector<std::vector<Stub>>& stubsOfKind,
+[[nodiscard]] Result<RunnerNet> runnerNet(const Layout& layout,
+                                          const std::vector<std::vector<Stub>>& stubsOfKind,
                                           const SpoutSettings& spout, const ChannelWidths& widths,
                                           const ChannelRules& rules, const FaceEnd& end);
 

@@ -43,7 +43,8 @@ std::vector<int> componentOfPoints(const IndexedMesh& cast) {
 
 } // namespace
 
-std::vector<Gate> gatesOf(const IndexedMesh& cast, const SideLabels& labels, const Vector2d& up, double width) {
+std::vector<Gate> gatesOf(const IndexedMesh& cast, const SideLabels& labels, const Vector2d& up,
+                          double width) {
     const std::vector<int> component = componentOfPoints(cast);
     std::map<int, Gate> highest;
     const auto curves = partingCurves(cast, labels);

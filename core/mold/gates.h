@@ -11,9 +11,9 @@ namespace moldwright {
 
 /// Where a cavity is filled: the highest point of the parting line of one of its solids.
 struct Gate {
-    int point = -1;       ///< of the kind's cast
-    PlanShape outline;    ///< the parting curve that the point lies on
-    double drop = 0;      ///< mm below the point at which a channel as wide as asked for lies inside the outline
+    int point = -1;    ///< of the kind's cast
+    PlanShape outline; ///< the parting curve that the point lies on
+    double drop = 0;   ///< mm below the point at which a channel as wide as asked for lies inside the outline
 };
 
 /// The gates of a cavity that is filled along `up` (a unit vector in the plane), one for each of its solids.
@@ -25,8 +25,8 @@ struct Gate {
 [[nodiscard]] std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<Gate>& gates,
                                            const Eigen::Vector2d& up, double smallest);
 
-/// Of the four quarter turns the one with which least air is trapped when +y is up; 0 to 3. The smallest among
-/// equals.
+/// Of the four quarter turns the one with which least air is trapped when +y is up; 0 to 3. The smallest
+/// among equals.
 [[nodiscard]] int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double smallestTrap);
 
 /// The mesh turned by quarters about z, counter-clockwise; exact.

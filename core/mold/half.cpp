@@ -35,12 +35,10 @@ public:
             }
         for (const Vector3d& p : m_corners)
             m_points.push_back(p);
-        m_flats = {{2, 0, side == 2},
-                   {2, m_end, side == 1},
-                   {0, block.min().x(), false},
-                   {0, block.max().x(), true},
-                   {1, block.min().y(), false},
-                   {1, block.max().y(), true}};
+        // An edge of a flat foot that lies in the parting plane and in a face of the block borders the
+        // latter.
+        m_flats = {{0, block.min().x(), false}, {0, block.max().x(), true}, {1, block.min().y(), false},
+                   {1, block.max().y(), true},  {2, 0, side == 2},          {2, m_end, side == 1}};
     }
 
     std::optional<IndexedMesh> closed() {
@@ -86,7 +84,8 @@ private:
         return found;
     }
 
-    /// The block's twelve edges. Those in the parting plane are interrupted where something opens into the face.
+    /// The block's twelve edges. Those in the parting plane are interrupted where something opens into the
+    /// face.
     void addBlockEdges(std::array<std::vector<std::array<int, 2>>, 6>& segments) {
         for (int k = 0; k < 4; ++k) {
             const int next = (k + 1) % 4;
@@ -112,7 +111,8 @@ private:
         stops.push_back(to);
         for (std::size_t i = 0; i + 1 < stops.size(); i += 2)
             for (std::size_t flat = 0; flat < m_flats.size(); ++flat)
-                if (a[m_flats[flat].axis] == m_flats[flat].value && b[m_flats[flat].axis] == m_flats[flat].value)
+                if (a[m_flats[flat].axis] == m_flats[flat].value &&
+                    b[m_flats[flat].axis] == m_flats[flat].value)
                     segments[flat].push_back({stops[i], stops[i + 1]});
     }
 

@@ -43,14 +43,17 @@ Vector3d signsOf(Alternation alternation) {
 const char* refusalOf(Alternation alternation) {
     switch (alternation) {
     case Alternation::Turn:
-        return MW_TEXT("Mold", "Every second cavity cannot be turned: its faces would leave with {0}°, {1}° are "
-                               "required. Turned copies need removal directions normal to the plane.");
+        return MW_TEXT("Mold",
+                       "Every second cavity cannot be turned: its faces would leave with {0}°, {1}° are "
+                       "required. Turned copies need removal directions normal to the plane.");
     case Alternation::Flip:
-        return MW_TEXT("Mold", "Every second cavity cannot be turned over: its faces would leave with {0}°, {1}° "
-                               "are required. That needs removal directions that the half-turn exchanges.");
+        return MW_TEXT("Mold",
+                       "Every second cavity cannot be turned over: its faces would leave with {0}°, {1}° "
+                       "are required. That needs removal directions that the half-turn exchanges.");
     default:
-        return MW_TEXT("Mold", "Every second cavity cannot be mirrored: its faces would leave with {0}°, {1}° are "
-                               "required. That needs removal directions in the mirror's plane.");
+        return MW_TEXT("Mold",
+                       "Every second cavity cannot be mirrored: its faces would leave with {0}°, {1}° are "
+                       "required. That needs removal directions in the mirror's plane.");
     }
 }
 
@@ -80,7 +83,8 @@ Result<CavityKind> alternateKind(const CavityKind& first, const Directions& dire
 }
 
 /// The least multiple of 1/16 by which `b` must stand further along `way` to keep `spacing` from `a`.
-double pitchBetween(const PlanShape& a, const PlanShape& b, const Vector2d& way, double most, double spacing) {
+double pitchBetween(const PlanShape& a, const PlanShape& b, const Vector2d& way, double most,
+                    double spacing) {
     double low = 0;
     double high = most;
     while (high - low > sixteenth / 2) {
@@ -112,7 +116,8 @@ public:
                 copy.kind = m_kinds.size() > 1 ? static_cast<std::size_t>((r + c) % 2) : 0;
                 copy.row = r;
                 copy.column = c;
-                copy.offset = {c * column + (r % 2) * m_shift + (c >= layout.mainColumn ? gap() : 0), r * row};
+                copy.offset = {c * column + (r % 2) * m_shift + (c >= layout.mainColumn ? gap() : 0),
+                               r * row};
                 layout.copies.push_back(copy);
             }
         layout.runnerOverKind = upToSixteenth(m_box.max().y() + m_settings.spacing + m_room.row / 2);
@@ -129,7 +134,8 @@ private:
         double pitch = 0;
         for (const CavityKind& a : m_kinds)
             for (const CavityKind& b : m_kinds)
-                pitch = std::max(pitch, pitchBetween(a.hull, b.hull, Vector2d::UnitX(), box, m_settings.spacing));
+                pitch =
+                    std::max(pitch, pitchBetween(a.hull, b.hull, Vector2d::UnitX(), box, m_settings.spacing));
         return pitch;
     }
     [[nodiscard]] double rowPitch() const {
@@ -140,11 +146,11 @@ private:
         double pitch = 0;
         for (const CavityKind& a : m_kinds)
             for (const CavityKind& b : m_kinds)
-                for (const double shift : {m_shift, m_shift - columnPitch(), 0.0, columnPitch(), -columnPitch()})
-                    if (m_shift > 0 || shift == 0)
-                        pitch = std::max(pitch, pitchBetween(a.hull, movedPlan(b.hull, {shift, 0}),
-                                                             Vector2d::UnitY(), box, spacing));
-        return pitch;
+                for (const double shift : {m_shift, m_shift - columnPitch(), m_shift + columnPitch()})
+                    pitch = std::max(pitch, pitchBetween(a.hull, movedPlan(b.hull, {shift, 0}),
+                                                         Vector2d::UnitY(), box, spacing));
+        // Every second row stands over its like.
+        return std::max(pitch, upToSixteenth(box / 2));
     }
     /// What the columns after the main runner stand further on.
     [[nodiscard]] double gap() const {
@@ -205,7 +211,8 @@ Result<std::vector<CavityKind>> cavityKinds(const IndexedMesh& cast, const SideL
     return kinds;
 }
 
-Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings, const RunnerRoom& room) {
+Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings,
+                const RunnerRoom& room) {
     return Arranger(kinds, settings, room).arranged();
 }
 

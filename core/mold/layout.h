@@ -11,8 +11,8 @@
 
 namespace moldwright {
 
-/// One shape of cavity, centred where it was placed; copies of it are moved by multiples of 1/16 mm, so they are
-/// the same to the bit.
+/// One shape of cavity, centred where it was placed; copies of it are moved by multiples of 1/16 mm, so they
+/// are the same to the bit.
 struct CavityKind {
     IndexedMesh cast; ///< mold's frame, on the grid
     SideLabels labels;
@@ -28,8 +28,9 @@ struct CavityCopy {
     Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< mm; multiples of 1/16
 };
 
-/// The cast as it is and, where every second one is to be another, that one. A copy placed by a turn R is allowed
-/// exactly when the cast leaves along R⁻¹d1 and R⁻¹d2. Errors: Impossible, with the draft it would have.
+/// The cast as it is and, where every second one is to be another, that one. A copy placed by a turn R is
+/// allowed exactly when the cast leaves along R⁻¹d1 and R⁻¹d2. Errors: Impossible, with the draft it would
+/// have.
 [[nodiscard]] Result<std::vector<CavityKind>> cavityKinds(const IndexedMesh& cast, const SideLabels& labels,
                                                           const Directions& directions, double draftDegrees,
                                                           double grid, Alternation alternation);
@@ -40,14 +41,14 @@ struct RunnerRoom {
     double main = 0; ///< beside a column: the one that feeds the runners
 };
 
-/// Where the cavities stand, the middle of all over the origin; row 0 lowest, column 0 leftmost. With runners a
-/// row's cavities hang below theirs, and the main runner passes before column `mainColumn`.
+/// Where the cavities stand, the middle of all over the origin; row 0 lowest, column 0 leftmost. With runners
+/// a row's cavities hang below theirs, and the main runner passes before column `mainColumn`.
 struct Layout {
     std::vector<CavityCopy> copies;
     int mainColumn = 0;
-    double mainAxis = 0;               ///< mm, x of the main runner
-    std::vector<double> runnerAxes;    ///< mm, y of the runner over each row
-    double runnerOverKind = 0;         ///< mm, y of a row's runner less that of its cavities' offset
+    double mainAxis = 0;            ///< mm, x of the main runner
+    std::vector<double> runnerAxes; ///< mm, y of the runner over each row
+    double runnerOverKind = 0;      ///< mm, y of a row's runner less that of its cavities' offset
 };
 [[nodiscard]] Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings,
                               const RunnerRoom& room);

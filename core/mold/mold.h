@@ -27,7 +27,7 @@ struct MoldHalf {
 struct MoldFeature {
     std::string kind; ///< "block", "cavity", "spout", "runner", "gate", "vent", "key", "slit"
     std::string name; ///< English
-    Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< mm, mold's frame
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();     ///< mm, mold's frame
     std::vector<std::pair<std::string, double>> numbers; ///< by key of mold.json; mm, degrees, mm³
     std::string note; ///< English: what was corrected and why; empty as a rule
 };
@@ -54,8 +54,8 @@ struct Mold {
     Eigen::Vector3d minWallPlace = Eigen::Vector3d::Zero(); ///< mm, mold's frame: on the feature it is at
     std::vector<ThinSteel> steel;                           ///< by pair of features, thinnest first
     std::vector<MoldFeature> features;
-    std::vector<double> pathLengths; ///< mm from the spout's mouth to each cavity's gate
-    double trappedAir = 0;           ///< mm³ that no vent serves
+    std::vector<double> pathLengths;   ///< mm from the spout's mouth to each cavity's gate
+    double trappedAir = 0;             ///< mm³ that no vent serves
     Certificate castCertificate;       ///< of `cast` as it stands in the mold's frame
     std::vector<std::string> problems; ///< English; what of mold.md's list does not hold
     std::vector<std::string> notes;    ///< English; what is proved but should be known
@@ -63,9 +63,9 @@ struct Mold {
     [[nodiscard]] bool verified() const { return problems.empty() && castCertificate.holds(); }
 };
 
-/// Builds and proves the mold of a certified cast. Errors: BadInput when the cast is not certified; Impossible
-/// when a feature cannot be made, with the reason; Usage; Cancelled; Internal when a half could not be made
-/// sound.
+/// Builds and proves the mold of a certified cast. Errors: BadInput when the cast is not certified;
+/// Impossible when a feature cannot be made, with the reason; Usage; Cancelled; Internal when a half could
+/// not be made sound.
 [[nodiscard]] Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels,
                                      const MoldState& state, double draftDegrees,
                                      const MoldSettings& settings, const Task& task = {});

@@ -65,8 +65,9 @@ Vector3d middleOf(const DraftedPrism& prism) {
 }
 
 std::unexpected<Error> unsound() {
-    return failure(ErrorCode::Internal,
-                   MW_TEXT("Mold", "The parting face could not be built: features meet in the parting plane."));
+    return failure(
+        ErrorCode::Internal,
+        MW_TEXT("Mold", "The parting face could not be built: features meet in the parting plane."));
 }
 
 } // namespace
@@ -134,8 +135,8 @@ Result<void> MoldBuilder::measure() {
     m_mold.minWallPlace = m_mold.steel.front().place;
     for (const ThinSteel& thin : m_mold.steel)
         if (thin.thickness < settings.leastSteel)
-            m_mold.notes.push_back("Only " + readable(thin.thickness, 3) + " mm of steel between " + thin.first +
-                                   " and " + thin.second + ".");
+            m_mold.notes.push_back("Only " + readable(thin.thickness, 3) + " mm of steel between " +
+                                   thin.first + " and " + thin.second + ".");
     addFeatures();
     return {};
 }
@@ -164,7 +165,10 @@ std::vector<Hollow> MoldBuilder::hollows() const {
         }
     }
     for (const Channel& channel : m_net.channels)
-        all.push_back({channel.name, shared(*prismSolid(channel.prism)), Vector2d::Zero(), {net},
+        all.push_back({channel.name,
+                       shared(*prismSolid(channel.prism)),
+                       Vector2d::Zero(),
+                       {net},
                        channel.name == "Spout"});
     for (const RegistrationKey& key : m_keys)
         all.push_back({"Key", shared(*prismSolid(key.socket)), Vector2d::Zero(), {}, false});
@@ -177,46 +181,78 @@ void MoldBuilder::addFeatures() {
     const MoldSettings& settings = m_mold.settings;
     std::vector<MoldFeature>& features = m_mold.features;
     const Vector3d size = m_block.sizes();
-    features.push_back({"block", "Block", m_block.center(),
-                        {{"size_x", size.x()}, {"size_y", size.y()}, {"size_z", size.z()},
-                         {"wall", settings.wall}, {"floor", settings.floor}, {"ceiling", settings.ceiling}}, {}});
+    features.push_back({"block",
+                        "Block",
+                        m_block.center(),
+                        {{"size_x", size.x()},
+                         {"size_y", size.y()},
+                         {"size_z", size.z()},
+                         {"wall", settings.wall},
+                         {"floor", settings.floor},
+                         {"ceiling", settings.ceiling}},
+                        {}});
     for (const CavityCopy& copy : m_layout.copies) {
         const CavityKind& kind = m_kinds[copy.kind];
-        features.push_back({"cavity", kind.mirrored ? "Cavity, mirrored" : "Cavity",
+        features.push_back({"cavity",
+                            kind.mirrored ? "Cavity, mirrored" : "Cavity",
                             {copy.offset.x(), copy.offset.y(), 0},
-                            {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}}, {}});
+                            {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}},
+                            {}});
         const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
         for (const Stub& stub : m_joined[copy.kind].stubs)
-            features.push_back({stub.vent ? "vent" : single() ? "spout" : "gate", stub.name,
+            features.push_back({stub.vent  ? "vent"
+                                : single() ? "spout"
+                                           : "gate",
+                                stub.name,
                                 middleOf(stub.prism) + by,
-                                {{"volume", volumeOf(stub.prism)}, {"height_1", stub.prism.height[0]},
-                                 {"height_2", stub.prism.height[1]}}, {}});
+                                {{"volume", volumeOf(stub.prism)},
+                                 {"height_1", stub.prism.height[0]},
+                                 {"height_2", stub.prism.height[1]}},
+                                {}});
         for (const ThroughVent& vent : m_joined[copy.kind].vents)
-            features.push_back({"vent", "Vent through half " + std::to_string(vent.side), vent.mouth + by,
-                                {{"diameter", settings.vents.diameter}, {"side", vent.side}}, {}});
+            features.push_back({"vent",
+                                "Vent through half " + std::to_string(vent.side),
+                                vent.mouth + by,
+                                {{"diameter", settings.vents.diameter}, {"side", vent.side}},
+                                {}});
         for (const RemainingAir& air : m_joined[copy.kind].remaining) {
             m_mold.trappedAir += air.volume;
-            features.push_back({"trapped_air", "Air that stays", air.place + by, {{"volume", air.volume}},
+            features.push_back({"trapped_air",
+                                "Air that stays",
+                                air.place + by,
+                                {{"volume", air.volume}},
                                 "No vent can be placed here."});
         }
     }
     for (const Channel& channel : m_net.channels)
-        features.push_back({channel.name == "Spout" ? "spout" : "runner", channel.name, middleOf(channel.prism),
-                            {{"volume", volumeOf(channel.prism)}, {"height_1", channel.prism.height[0]},
-                             {"height_2", channel.prism.height[1]}}, {}});
+        features.push_back({channel.name == "Spout" ? "spout" : "runner",
+                            channel.name,
+                            middleOf(channel.prism),
+                            {{"volume", volumeOf(channel.prism)},
+                             {"height_1", channel.prism.height[0]},
+                             {"height_2", channel.prism.height[1]}},
+                            {}});
     for (const RegistrationKey& key : m_keys) {
         const bool raised = key.leanDegrees > settings.keys.draft + 0.5;
-        features.push_back({"key", "Key", {key.place.x(), key.place.y(), 0},
-                            {{"diameter", key.diameter}, {"height", settings.keys.height},
-                             {"clearance", settings.keys.clearance}, {"lean_deg", key.leanDegrees}},
+        features.push_back({"key",
+                            "Key",
+                            {key.place.x(), key.place.y(), 0},
+                            {{"diameter", key.diameter},
+                             {"height", settings.keys.height},
+                             {"clearance", settings.keys.clearance},
+                             {"lean_deg", key.leanDegrees}},
                             raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
                                          "°: with less it would hold when one half is opened first."
                                    : ""});
     }
     for (const WedgeSlit& slit : m_slits)
-        features.push_back({"slit", "Wedge slit", {slit.place.x(), slit.place.y(), 0},
-                            {{"depth", settings.slits.depth}, {"width", settings.slits.width},
-                             {"height", settings.slits.height}}, {}});
+        features.push_back({"slit",
+                            "Wedge slit",
+                            {slit.place.x(), slit.place.y(), 0},
+                            {{"depth", settings.slits.depth},
+                             {"width", settings.slits.width},
+                             {"height", settings.slits.height}},
+                            {}});
     m_mold.pathLengths = m_net.pathLengths;
 }
 

@@ -44,8 +44,9 @@ Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& label
     const MoldSettings& settings = m_mold.settings;
     if (settings.vents.on && !settings.spout.on)
         return failure(ErrorCode::Usage,
-                       MW_TEXT("Mold", "Vents need a spout: without one nothing tells which way is up while the "
-                                       "mold is filled."));
+                       MW_TEXT("Mold",
+                               "Vents need a spout: without one nothing tells which way is up while the "
+                               "mold is filled."));
     const Result<CompensatedCast> larger = compensated(cast, state, settings.shrink);
     if (!larger)
         return std::unexpected(larger.error());
@@ -80,14 +81,15 @@ Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& label
 
 Result<void> MoldBuilder::layOut() {
     const MoldSettings& settings = m_mold.settings;
-    Result<std::vector<CavityKind>> kinds =
-        cavityKinds(m_cast, m_labels, m_mold.directions, m_mold.draftDegrees, m_grid, settings.layout.alternation);
+    Result<std::vector<CavityKind>> kinds = cavityKinds(
+        m_cast, m_labels, m_mold.directions, m_mold.draftDegrees, m_grid, settings.layout.alternation);
     if (!kinds)
         return std::unexpected(kinds.error());
     m_kinds = *std::move(kinds);
     const double depth = onPlaneTolerance(m_cast);
     const bool flips = settings.layout.alternation == Alternation::Flip;
-    m_rules = {m_mold.directions, std::max(spout().draft, m_mold.draftDegrees + 1),
+    m_rules = {m_mold.directions,
+               std::max(spout().draft, m_mold.draftDegrees + 1),
                {flips || m_cast.V.col(2).maxCoeff() > depth, flips || m_cast.V.col(2).minCoeff() < -depth},
                m_grid};
     RunnerRoom room;
@@ -138,9 +140,9 @@ Obstacles MoldBuilder::planObstacles(double faceY) const {
             obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
                                               {all.max().x() + widths.gate, axis + widths.runner / 2}));
         const double half = std::max(funnel, widths.main / 2);
-        obstacles.push_back(
-            planRectangle({m_layout.mainAxis - half, m_layout.runnerAxes.front() - widths.runner / 2 - widths.beside},
-                          {m_layout.mainAxis + half, faceY}));
+        obstacles.push_back(planRectangle(
+            {m_layout.mainAxis - half, m_layout.runnerAxes.front() - widths.runner / 2 - widths.beside},
+            {m_layout.mainAxis + half, faceY}));
     }
     return obstacles;
 }
@@ -150,8 +152,8 @@ Block MoldBuilder::blockFor(double wallX, double wallY) const {
     content.wallX = wallX;
     content.wallY = wallY;
     for (const CavityCopy& copy : m_layout.copies)
-        content.cavities.extend(boundingBox(m_kinds[copy.kind].cast)
-                                    .translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
+        content.cavities.extend(
+            boundingBox(m_kinds[copy.kind].cast).translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
     if (spout().on) {
         const ChannelWidths& widths = m_widths;
         const double tail = m_end.face - m_end.line;
@@ -162,7 +164,8 @@ Block MoldBuilder::blockFor(double wallX, double wallY) const {
             for (const double way : {-1.0, 1.0})
                 content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
             const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
-            content.spoutTop = std::max(top + spoutLength(spout(), widths.main, widths.straight()) + tail, top + wallY);
+            content.spoutTop =
+                std::max(top + spoutLength(spout(), widths.main, widths.straight()) + tail, top + wallY);
         }
     }
     return blockAround(content, m_mold.settings, m_grid);
@@ -195,9 +198,10 @@ Result<void> MoldBuilder::fitBlock() {
         fits = placeOn(m_block);
     }
     if (!fits)
-        return failure(ErrorCode::Impossible,
-                       MW_TEXT("Mold", "There is no room for {0} keys and {1} slits. Ask for fewer or smaller ones."),
-                       {std::to_string(settings.keys.count), std::to_string(settings.slits.count)});
+        return failure(
+            ErrorCode::Impossible,
+            MW_TEXT("Mold", "There is no room for {0} keys and {1} slits. Ask for fewer or smaller ones."),
+            {std::to_string(settings.keys.count), std::to_string(settings.slits.count)});
     const double tail = m_end.face - m_end.line;
     m_end = {m_block.max().y(), m_block.max().y() - tail};
     for (const Vector2d& place : m_keyPlaces) {
@@ -236,7 +240,8 @@ Result<void> MoldBuilder::join() {
     for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
         std::vector<AirTrap> traps;
         if (settings.vents.on)
-            traps = trapsOf(m_kinds[kind].cast, m_gates[kind], Vector2d::UnitY(), settings.vents.smallestTrap);
+            traps =
+                trapsOf(m_kinds[kind].cast, m_gates[kind], Vector2d::UnitY(), settings.vents.smallestTrap);
         Result<JoinedCavity> joined =
             joinedCavity(m_kinds[kind], spout().on ? m_gates[kind] : std::vector<Gate>{}, traps, plan);
         if (!joined)
@@ -274,8 +279,8 @@ Result<void> MoldBuilder::addTails() {
 }
 
 Result<void> MoldBuilder::prove() {
-    m_mold.castCertificate = certify(*m_mold.cast, labelSides(*m_mold.cast, {}), {{}, m_mold.directions},
-                                     m_mold.draftDegrees);
+    m_mold.castCertificate =
+        certify(*m_mold.cast, labelSides(*m_mold.cast, {}), {{}, m_mold.directions}, m_mold.draftDegrees);
     m_mold.problems = problemsOf(m_mold);
     return {};
 }

@@ -80,8 +80,7 @@ Json shot(const Mold& mold) {
         json["mix_g"] = volume * mold.settings.density * mixAllowance;
     }
     if (mold.settings.blockDensity > 0)
-        json["block_mass_g"] =
-            (mold.half1.volume + mold.half2.volume) / 1000 * mold.settings.blockDensity;
+        json["block_mass_g"] = (mold.half1.volume + mold.half2.volume) / 1000 * mold.settings.blockDensity;
     return json;
 }
 

@@ -13,7 +13,8 @@ enum class ShrinkFormula {
 
 /// The cavity is made larger by what the material shrinks.
 struct ShrinkSettings {
-    Eigen::Vector3d percent = Eigen::Vector3d::Zero(); ///< linear, along x, y, z of the part's frame; < 0 expands
+    Eigen::Vector3d percent =
+        Eigen::Vector3d::Zero(); ///< linear, along x, y, z of the part's frame; < 0 expands
     ShrinkFormula formula = ShrinkFormula::Plus;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mm, part's frame: the point that stays
 
@@ -71,7 +72,7 @@ struct SpoutSettings {
 /// Vents where air would stay.
 struct VentSettings {
     bool on = false;
-    double diameter = 1.5;  ///< mm, at the narrowest
+    double diameter = 1.5;   ///< mm, at the narrowest
     double smallestTrap = 5; ///< mm³ of air that may stay
 
     bool operator==(const VentSettings&) const = default;

@@ -32,9 +32,8 @@ double socketRadius(const KeySettings& keys, bool odd, double shift) {
 }
 
 bool keepsClear(const PlanShape& shape, const Obstacles& obstacles, double steel) {
-    return std::all_of(obstacles.begin(), obstacles.end(), [&](const PlanShape& obstacle) {
-        return planDistance(shape, obstacle) >= steel;
-    });
+    return std::all_of(obstacles.begin(), obstacles.end(),
+                       [&](const PlanShape& obstacle) { return planDistance(shape, obstacle) >= steel; });
 }
 
 /// The free place nearest to `wish` in the part of the block that is nearer to it than to its middle.
@@ -66,15 +65,20 @@ std::vector<Vector2d> wishes(const Block& block, int count) {
     const Vector2d low = block.min().head<2>();
     const Vector2d high = block.max().head<2>();
     const Vector2d middle = block.center().head<2>();
-    std::vector<Vector2d> places{low, high, {high.x(), low.y()}, {low.x(), high.y()},
-                                 {middle.x(), low.y()}, {low.x(), middle.y()}, {high.x(), middle.y()},
+    std::vector<Vector2d> places{low,
+                                 high,
+                                 {high.x(), low.y()},
+                                 {low.x(), high.y()},
+                                 {middle.x(), low.y()},
+                                 {low.x(), middle.y()},
+                                 {high.x(), middle.y()},
                                  {middle.x(), high.y()}};
     places.resize(static_cast<std::size_t>(std::min(count, static_cast<int>(places.size()))));
     return places;
 }
 
-/// Its axis halves the angle ψ between d1 and −d2; walls that lean ψ/2 more than the draft against the axis have
-/// the draft against both.
+/// Its axis halves the angle ψ between d1 and −d2; walls that lean ψ/2 more than the draft against the axis
+/// have the draft against both.
 Result<DraftedPrism> frustum(const PlanShape& base, double height, const Directions& directions, double draft,
                              double grid) {
     const Eigen::Vector3d axis = (directions.d1 - directions.d2).normalized();
@@ -123,7 +127,8 @@ Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const
     key.leanDegrees = degrees(std::atan(steepest));
     // Across a wall of slope k a gap of c is c·√(1+k²) along the plane, and the polygon's sides lie within
     // the circle through its corners.
-    const double gap = keys.clearance * std::sqrt(1 + steepest * steepest) / std::cos(radians(180.0 / keyCorners));
+    const double gap =
+        keys.clearance * std::sqrt(1 + steepest * steepest) / std::cos(radians(180.0 / keyCorners));
     Result<DraftedPrism> socket = frustum(planCircle(place, key.diameter / 2 + gap, keyCorners),
                                           keys.height + keys.clearance, directions, draft, grid);
     if (!socket)

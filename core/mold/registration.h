@@ -29,8 +29,8 @@ struct WedgeSlit {
 /// What stands in the parting plane already.
 using Obstacles = std::vector<PlanShape>;
 
-/// Places for the keys as near to the block's corners as steel to everything else allows, the larger one first;
-/// fewer than asked for where there is no room: then the block must grow.
+/// Places for the keys as near to the block's corners as steel to everything else allows, the larger one
+/// first; fewer than asked for where there is no room: then the block must grow.
 [[nodiscard]] std::vector<Eigen::Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions,
                                                      const Block& block, const Obstacles& obstacles,
                                                      double steel);

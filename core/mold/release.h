@@ -24,8 +24,8 @@ struct HalfRelease {
                                          const IndexedMesh& cast, const Eigen::Vector3d& d,
                                          double draftDegrees);
 
-/// Whether no ray from a face of `half` along d meets `other`: for the motion of one half against the other when
-/// both leave at once, d ∝ d1 − d2.
+/// Whether no ray from a face of `half` along d meets `other`: for the motion of one half against the other
+/// when both leave at once, d ∝ d1 − d2.
 [[nodiscard]] bool leavesOther(const IndexedMesh& half, const IndexedMesh& other, const Eigen::Vector3d& d);
 
 } // namespace moldwright

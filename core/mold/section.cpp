@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/section.h"
 
-#include "mesh/measures.h"
 #include "features/cgal/constrained_triangulation.h"
+#include "mesh/measures.h"
 
 #include <algorithm>
 #include <map>

@@ -16,9 +16,10 @@ Result<CompensatedCast> compensated(const IndexedMesh& cast, const MoldState& st
     CompensatedCast result{cast, state, {}};
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(shrink.percent[axis]) >= most)
-            return failure(ErrorCode::Usage,
-                           MW_TEXT("Mold", "A shrink of {0} % is no shrink of a material: give less than 50 %."),
-                           {readable(shrink.percent[axis])});
+            return failure(
+                ErrorCode::Usage,
+                MW_TEXT("Mold", "A shrink of {0} % is no shrink of a material: give less than 50 %."),
+                {readable(shrink.percent[axis])});
         result.factors[axis] = shrinkFactor(shrink.percent[axis], shrink.formula);
     }
     if (result.factors == Eigen::Vector3d::Ones())

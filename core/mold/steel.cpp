@@ -39,9 +39,8 @@ public:
         std::vector<ThinSteel> all;
         for (const auto& [names, steel] : m_thinnest)
             all.push_back(steel);
-        std::stable_sort(all.begin(), all.end(), [](const ThinSteel& a, const ThinSteel& b) {
-            return a.thickness < b.thickness;
-        });
+        std::stable_sort(all.begin(), all.end(),
+                         [](const ThinSteel& a, const ThinSteel& b) { return a.thickness < b.thickness; });
         return all;
     }
 
@@ -118,7 +117,8 @@ private:
 
 } // namespace
 
-std::vector<ThinSteel> thinnestSteel(const std::vector<Hollow>& hollows, const Block& block, double furthest) {
+std::vector<ThinSteel> thinnestSteel(const std::vector<Hollow>& hollows, const Block& block,
+                                     double furthest) {
     return SteelMeasure(hollows, block, furthest).measured();
 }
 

@@ -13,10 +13,10 @@ namespace moldwright {
 /// neighbours by design and are not compared.
 struct Hollow {
     std::string name;
-    SharedMesh mesh;       ///< in coordinates of its own
+    SharedMesh mesh;                                  ///< in coordinates of its own
     Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< where it stands, mm
-    std::vector<int> joints;   ///< numbers of the joints it takes part in
-    bool opensOutside = false; ///< its distance from the block's faces means nothing
+    std::vector<int> joints;                          ///< numbers of the joints it takes part in
+    bool opensOutside = false;                        ///< its distance from the block's faces means nothing
 };
 
 /// Steel at its thinnest, mm, between two hollows or one and the outside of the block.
@@ -28,8 +28,8 @@ struct ThinSteel {
 };
 
 /// The thinnest steel of each pair of names, thinnest first. Distances from the points of each hollow to the
-/// faces of the other, both ways: right wherever one of the nearest two places is a point, and never too small.
-/// Pairs further apart than `furthest` mm are left out.
+/// faces of the other, both ways: right wherever one of the nearest two places is a point, and never too
+/// small. Pairs further apart than `furthest` mm are left out.
 [[nodiscard]] std::vector<ThinSteel> thinnestSteel(const std::vector<Hollow>& hollows, const Block& block,
                                                    double furthest);
 

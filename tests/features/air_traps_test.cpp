@@ -23,14 +23,15 @@ int highest(const IndexedMesh& mesh, const Vector3d& up) {
 /// A bar along x with two towers of the given heights, seen in its xy plane; all 2 mm thick.
 IndexedMesh twoTowers(double left, double right) {
     const std::vector<Eigen::Vector2d> outline = {{0, 0}, {10, 0}, {10, 2 + right}, {8, 2 + right},
-                                                  {8, 2}, {2, 2}, {2, 2 + left}, {0, 2 + left}};
+                                                  {8, 2}, {2, 2},  {2, 2 + left},   {0, 2 + left}};
     IndexedMesh mesh;
     mesh.V.resize(16, 3);
     for (int k = 0; k < 8; ++k) {
         mesh.V.row(k) << outline[static_cast<std::size_t>(k)].transpose(), -1;
         mesh.V.row(k + 8) << outline[static_cast<std::size_t>(k)].transpose(), 1;
     }
-    const std::vector<Eigen::RowVector3i> lid = {{0, 1, 4}, {1, 2, 3}, {1, 3, 4}, {0, 4, 5}, {0, 5, 7}, {5, 6, 7}};
+    const std::vector<Eigen::RowVector3i> lid = {{0, 1, 4}, {1, 2, 3}, {1, 3, 4},
+                                                 {0, 4, 5}, {0, 5, 7}, {5, 6, 7}};
     mesh.F.resize(28, 3);
     int f = 0;
     for (const Eigen::RowVector3i& t : lid) {

@@ -66,7 +66,8 @@ TEST(DraftedPrism, FollowsATiltedDirection) {
     double lowest = 90;
     const IndexedMesh walls = *prismSurface(prism, 1);
     for (int f = 0; f < walls.faceCount(); ++f)
-        lowest = std::min(lowest, draftDegrees(doubleAreaVector(walls, f).normalized().dot(asked.directions[0][0])));
+        lowest = std::min(lowest,
+                          draftDegrees(doubleAreaVector(walls, f).normalized().dot(asked.directions[0][0])));
     EXPECT_NEAR(lowest, 5, 0.02);
     // The lid has moved along with the direction.
     Vector2d middle = Vector2d::Zero();

@@ -61,7 +61,8 @@ TEST(JoinedChannel, OfAFlatBackedCastStaysFlat) {
     asked.height = {1, 0};
     asked.directions[0] = {Vector3d::UnitZ()};
     asked.grid = grid;
-    const auto joined = joinedSolid(cast, {*prismSolid(draftedPrism(asked).value())}, {Directions{}, 1, grid, {}});
+    const auto joined =
+        joinedSolid(cast, {*prismSolid(draftedPrism(asked).value())}, {Directions{}, 1, grid, {}});
     ASSERT_TRUE(joined);
     EXPECT_EQ(boundingBox(*joined).min().z(), 0);
     EXPECT_TRUE(certify(*joined, labelSides(*joined, {}), {}, 1).holds());

@@ -50,7 +50,8 @@ TEST(WallSlope, IsTheLeastThatHoldsForAllDirections) {
         const int side = trial % 2 + 1;
         std::vector<Vector3d> ds;
         for (int i = 0; i < 2; ++i)
-            ds.push_back(Vector3d(0.5 * number(random), 0.5 * number(random), side == 1 ? 1 : -1).normalized());
+            ds.push_back(
+                Vector3d(0.5 * number(random), 0.5 * number(random), side == 1 ? 1 : -1).normalized());
         const std::optional<double> k = wallSlope(m, side, ds, 3);
         ASSERT_TRUE(k);
         double least = 1;
@@ -62,7 +63,7 @@ TEST(WallSlope, IsTheLeastThatHoldsForAllDirections) {
 
 TEST(WallSlope, IsNoneWhereThereIsNoDraftToBeHad) {
     const Vector3d d(std::sin(radians(80)), 0, std::cos(radians(80)));
-    EXPECT_FALSE(wallSlope({0, 1}, 1, {d}, 15)); // sin 15° > cos 80°
+    EXPECT_FALSE(wallSlope({0, 1}, 1, {d}, 15));  // sin 15° > cos 80°
     EXPECT_FALSE(wallSlope({-1, 0}, 1, {d}, 10)); // would lie flat
     EXPECT_FALSE(wallSlope({1, 0}, 1, {-Vector3d::UnitZ()}, 1));
 }

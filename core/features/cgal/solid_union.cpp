@@ -5,7 +5,10 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <array>
 #include <exception>
+#include <numeric>
 
 namespace moldwright {
 
@@ -20,7 +23,8 @@ std::optional<Mesh> surfaceMesh(const IndexedMesh& mesh) {
     for (int v = 0; v < mesh.vertexCount(); ++v)
         vertices.push_back(result.add_vertex({mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)}));
     for (const auto& f : mesh.F.rowwise())
-        if (result.add_face(vertices[static_cast<std::size_t>(f[0])], vertices[static_cast<std::size_t>(f[1])],
+        if (result.add_face(vertices[static_cast<std::size_t>(f[0])],
+                            vertices[static_cast<std::size_t>(f[1])],
                             vertices[static_cast<std::size_t>(f[2])]) == Mesh::null_face())
             return std::nullopt;
     return result;
@@ -47,6 +51,33 @@ IndexedMesh indexedMesh(const Mesh& mesh) {
     return result;
 }
 
+/// Points by their coordinates, faces by their points: what CGAL finds is the same each time, but not its
+/// order.
+IndexedMesh inFixedOrder(const IndexedMesh& mesh) {
+    std::vector<int> points(static_cast<std::size_t>(mesh.vertexCount()));
+    std::iota(points.begin(), points.end(), 0);
+    std::sort(points.begin(), points.end(), [&](int a, int b) {
+        return std::lexicographical_compare(mesh.V.row(a).begin(), mesh.V.row(a).end(), mesh.V.row(b).begin(),
+                                            mesh.V.row(b).end());
+    });
+    std::vector<int> numberOf(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        numberOf[static_cast<std::size_t>(points[i])] = static_cast<int>(i);
+    std::vector<std::array<int, 3>> faces;
+    for (const auto& f : mesh.F.rowwise()) {
+        std::array<int, 3> face{};
+        for (std::size_t k = 0; k < 3; ++k)
+            face[k] = numberOf[static_cast<std::size_t>(f[static_cast<Eigen::Index>(k)])];
+        std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+        faces.push_back(face);
+    }
+    std::sort(faces.begin(), faces.end());
+    IndexedMesh ordered{mesh.V(points, Eigen::all), Triangles(mesh.F.rows(), 3)};
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        ordered.F.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
+    return ordered;
+}
+
 } // namespace
 
 std::optional<IndexedMesh> unionOfSolids(const IndexedMesh& a, const IndexedMesh& b) try {
@@ -59,7 +90,7 @@ std::optional<IndexedMesh> unionOfSolids(const IndexedMesh& a, const IndexedMesh
     if (!pmp::corefine_and_compute_union(*first, *second, joined))
         return std::nullopt;
     joined.collect_garbage();
-    return indexedMesh(joined);
+    return inFixedOrder(indexedMesh(joined));
 } catch (const std::exception&) {
     // CGAL's assertions throw; a degenerate case it does not like is an answer, not a crash.
     return std::nullopt;

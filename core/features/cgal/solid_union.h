@@ -8,8 +8,8 @@
 namespace moldwright {
 
 /// The union of two closed solids that really cross, by exact corefinement (CGAL). New points are rounded to
-/// doubles, which the caller must check once more. None when either is not closed and outward, or the result is
-/// not manifold. Deterministic.
+/// doubles, which the caller must check once more. None when either is not closed and outward, or the result
+/// is not manifold. Deterministic.
 [[nodiscard]] std::optional<IndexedMesh> unionOfSolids(const IndexedMesh& a, const IndexedMesh& b);
 
 } // namespace moldwright

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Molds with several cavities, channels, keys and slits, on casts whose numbers are known by hand.
+#include "features/drafted_prism.h"
+#include "mesh/check.h"
+#include "mesh/measures.h"
+#include "mold/mold.h"
+#include "mold/shrink.h"
+#include "support/casts.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace moldwright;
+using namespace moldwright::test;
+using Eigen::Vector3d;
+
+namespace {
+
+Result<Mold> moldOf(const KnownCast& cast, const MoldSettings& settings, double draft = 1) {
+    return buildMold(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, draft, settings);
+}
+
+void expectVerified(const Result<Mold>& mold) {
+    ASSERT_TRUE(mold.has_value()) << mold.error().english();
+    for (const std::string& problem : mold->problems)
+        ADD_FAILURE() << problem;
+    EXPECT_TRUE(mold->verified()) << mold->castCertificate.reason;
+    const double whole = mold->half1.volume + mold->half2.volume + volume(*mold->cast) + mold->otherVolume;
+    EXPECT_NEAR(whole, mold->blockVolume, 1e-6 * whole);
+}
+
+/// All features of the command in the issue.
+MoldSettings everything() {
+    MoldSettings settings;
+    settings.spout.on = true;
+    settings.vents.on = true;
+    settings.keys.count = 4;
+    settings.slits.count = 2;
+    return settings;
+}
+
+int count(const Mold& mold, const std::string& kind) {
+    return static_cast<int>(std::count_if(mold.features.begin(), mold.features.end(),
+                                          [&](const MoldFeature& f) { return f.kind == kind; }));
+}
+
+const ThinSteel* steelBetween(const Mold& mold, const std::string& a, const std::string& b) {
+    for (const ThinSteel& thin : mold.steel)
+        if ((thin.first == a && thin.second == b) || (thin.first == b && thin.second == a))
+            return &thin;
+    return nullptr;
+}
+
+/// Volume of a frustum over a × b, height h, lean l.
+double frustum(double a, double b, double h, double l) {
+    return a * b * h - (a + b) * l * h * h + 4.0 / 3 * l * l * h * h * h;
+}
+
+const double lean = std::tan(radians(5));
+
+} // namespace
+
+TEST(MoldFeatures, SeveralCavitiesHaveTheNumbersCalculatedByHand) {
+    MoldSettings settings;
+    settings.layout = {2, 3, Arrangement::Grid, Alternation::None, 4};
+    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), settings);
+    expectVerified(mold);
+    const double cavity = frustum(20, 10, 5, lean) + frustum(20, 10, 3, lean);
+    EXPECT_EQ(mold->cavities, 6);
+    EXPECT_NEAR(mold->cavityVolume, 6 * cavity, 1e-2);
+    EXPECT_NEAR(mold->partingArea, 6 * 200, 1e-3);
+    // The part lies with its long side along y: three of 10 mm with 4 between and walls of 5, two of 20.
+    EXPECT_NEAR(mold->half1.size.x(), 3 * 10 + 2 * 4 + 2 * 5, 1e-9);
+    EXPECT_NEAR(mold->half1.size.y(), 2 * 20 + 4 + 2 * 5, 1e-9);
+    EXPECT_NEAR(mold->minWall, 4, 1e-6);
+    ASSERT_NE(steelBetween(*mold, "Cavity", "outside"), nullptr);
+    EXPECT_NEAR(steelBetween(*mold, "Cavity", "outside")->thickness, 5, 1e-6);
+    EXPECT_NEAR(std::abs(mold->clampForce - 12 * 4 / 100.0 * 1.1), 0, 1e-5);
+}
+
+TEST(MoldFeatures, HemispheresHaveTheSteelBetweenThem) {
+    // The ball's lower half is flattened into a disc in the plane.
+    const IndexedMesh whole = ball(10, 5).mesh;
+    IndexedMesh dome = whole;
+    dome.V.col(2) = dome.V.col(2).cwiseMax(0);
+    MoldSettings settings;
+    settings.layout = {1, 2, Arrangement::Grid, Alternation::None, 3};
+    settings.ceiling = 6;
+    const Result<Mold> mold = moldOf({dome, {}}, settings, 0.5);
+    expectVerified(mold);
+    EXPECT_NEAR(mold->cavityVolume, 2 * 2.0 / 3 * std::numbers::pi * 1000, 0.005 * mold->cavityVolume);
+    const double steel = steelBetween(*mold, "Cavity", "Cavity")->thickness;
+    EXPECT_GE(steel, 3 - 1e-6);
+    EXPECT_LE(steel, 3 + 1.0 / 16) << "cavities stand at sixteenths";
+    EXPECT_NEAR(mold->half1.size.z(), 10 + 6, 1e-6);
+    EXPECT_NEAR(mold->half2.volume, mold->half2.size.prod(), 1e-6);
+}
+
+TEST(MoldFeatures, AllOfThemTogetherAreProved) {
+    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), everything());
+    expectVerified(mold);
+    EXPECT_EQ(count(*mold, "spout"), 1);
+    EXPECT_EQ(count(*mold, "key"), 4);
+    EXPECT_EQ(count(*mold, "slit"), 2);
+    EXPECT_GT(mold->channelVolume, 0);
+    EXPECT_GE(mold->minWall, mold->settings.leastSteel - 1e-6);
+    EXPECT_GT(mold->half2.size.z(), 8 + 3) << "keys stand out of half 2";
+}
+
+TEST(MoldFeatures, RunnersFeedAllCavities) {
+    MoldSettings settings = everything();
+    settings.layout = {3, 4, Arrangement::Grid, Alternation::None, 5};
+    const Result<Mold> mold = moldOf(ball(8, 4), settings);
+    expectVerified(mold);
+    EXPECT_EQ(count(*mold, "gate"), 12);
+    EXPECT_EQ(count(*mold, "runner"), 6);
+    EXPECT_EQ(mold->pathLengths.size(), 12U);
+    EXPECT_EQ(diagnose(*mold->cast).components, 1) << "everything that solidifies is one piece";
+}
+
+TEST(MoldFeatures, OfAFlatBackedPartLeaveTheSecondHalfFlat) {
+    MoldSettings settings = everything();
+    settings.layout.columns = 2;
+    settings.slits.count = 0;
+    settings.keys.count = 0;
+    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 0, lean), settings);
+    expectVerified(mold);
+    EXPECT_NEAR(mold->half2.volume, mold->half2.size.prod(), 1e-6);
+}
+
+TEST(MoldFeatures, FollowObliqueDirections) {
+    for (const auto& [s1, s2] : {std::pair{0.35, -0.1}, std::pair{0.3, 0.3}, std::pair{-0.4, 0.27}}) {
+        KnownCast cast = sheared(ball(15, 4), s1, s2);
+        ASSERT_GT(std::acos(cast.state.directions.d1.z()), radians(15));
+        cast = moved(cast, {1, 2, 3}, 0.8, {5, -7, 2});
+        MoldSettings settings = everything();
+        for (const int columns : {1, 2}) {
+            settings.layout.columns = columns;
+            settings.layout.rows = columns;
+            expectVerified(moldOf(cast, settings));
+        }
+    }
+}
+
+TEST(MoldFeatures, AKeyLeansAsTheDirectionsAsk) {
+    // Directions 20° apart: with the 5° asked for it would hold.
+    const double half = std::tan(radians(10));
+    MoldSettings settings;
+    settings.keys.count = 2;
+    const Result<Mold> mold = moldOf(sheared(ball(15, 4), half, half), settings);
+    expectVerified(mold);
+    for (const MoldFeature& feature : mold->features)
+        if (feature.kind == "key") {
+            EXPECT_FALSE(feature.note.empty());
+            EXPECT_NEAR(feature.numbers.back().second, 15, 0.2);
+        }
+}
+
+TEST(MoldFeatures, OneKeyIsLargerAndAllHaveTheirClearance) {
+    MoldSettings settings;
+    settings.keys.count = 4;
+    settings.keys.clearance = 0.25;
+    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), settings);
+    expectVerified(mold);
+    std::vector<double> diameters;
+    for (const MoldFeature& feature : mold->features)
+        if (feature.kind == "key")
+            diameters.push_back(feature.numbers.front().second);
+    EXPECT_EQ(diameters, (std::vector<double>{7, 6, 6, 6}));
+    // Half 2 stands 3.5 above the plane; the sockets are a clearance deeper.
+    EXPECT_NEAR(boundingBox(*mold->half2.mesh).max().z(), 3.5, 1e-5);
+    double deepest = 0;
+    const IndexedMesh& upper = *mold->half1.mesh;
+    for (int v = 0; v < upper.vertexCount(); ++v)
+        if (upper.V(v, 2) < 4.5)
+            deepest = std::max(deepest, upper.V(v, 2));
+    EXPECT_NEAR(deepest, 3.75, 1e-5);
+}
+
+TEST(MoldFeatures, TurnedCopiesNeedDirectionsAlongTheNormal) {
+    MoldSettings settings;
+    settings.layout.columns = 2;
+    for (const Alternation alternation : {Alternation::Turn, Alternation::Flip, Alternation::Mirror}) {
+        settings.layout.alternation = alternation;
+        expectVerified(moldOf(frusta(20, 10, 5, 3, lean), settings));
+    }
+    settings.layout.alternation = Alternation::Turn;
+    const Result<Mold> refused = moldOf(sheared(ball(15, 4), 0.3, -0.3), settings);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Impossible);
+    EXPECT_NE(refused.error().english().find("cannot be turned"), std::string::npos);
+}
+
+TEST(MoldFeatures, StaggeredAndPackedKeepTheirSpacing) {
+    MoldSettings grid;
+    grid.layout = {3, 3, Arrangement::Grid, Alternation::None, 4};
+    MoldSettings staggered = grid;
+    staggered.layout.arrangement = Arrangement::Staggered;
+    const Result<Mold> square = moldOf(ball(8, 4), grid);
+    const Result<Mold> shifted = moldOf(ball(8, 4), staggered);
+    expectVerified(square);
+    expectVerified(shifted);
+    EXPECT_GE(steelBetween(*shifted, "Cavity", "Cavity")->thickness, 4 - 1e-3);
+    EXPECT_LT(shifted->half1.size.y(), square->half1.size.y()) << "rows of balls nest";
+    MoldSettings packed = grid;
+    packed.layout.arrangement = Arrangement::Packed;
+    expectVerified(moldOf(ball(8, 4), packed));
+}
+
+TEST(MoldFeatures, VentsServeWhatTheSpoutDoesNot) {
+    // Two towers of unlike height on a bar: the lower one traps air when both point up.
+    PrismRequest towers;
+    towers.base = {{0, 0}, {30, 0}, {30, 20}, {22, 20}, {22, 8}, {8, 8}, {8, 17}, {0, 17}};
+    towers.height = {3, 3};
+    towers.directions = {std::vector<Vector3d>{Vector3d::UnitZ()}, std::vector<Vector3d>{-Vector3d::UnitZ()}};
+    towers.grid = 1.0 / 65536;
+    const IndexedMesh part = *prismSolid(draftedPrism(towers).value());
+    MoldSettings settings = everything();
+    std::vector<int> vents;
+    for (const PourDirection pour :
+         {PourDirection::Turn0, PourDirection::Turn90, PourDirection::Turn180, PourDirection::Turn270}) {
+        settings.spout.pour = pour;
+        const Result<Mold> mold = moldOf({part, {}}, settings);
+        expectVerified(mold);
+        vents.push_back(count(*mold, "vent"));
+        EXPECT_EQ(mold->trappedAir, 0);
+    }
+    EXPECT_EQ(*std::max_element(vents.begin(), vents.end()), 1);
+    settings.spout.pour = PourDirection::Automatic;
+    EXPECT_EQ(count(*moldOf({part, {}}, settings), "vent"), 0) << "upside down nothing is trapped";
+}
+
+TEST(MoldFeatures, VentsNeedASpout) {
+    MoldSettings settings;
+    settings.vents.on = true;
+    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), settings);
+    ASSERT_FALSE(mold);
+    EXPECT_EQ(mold.error().code, ErrorCode::Usage);
+}
+
+TEST(MoldFeatures, AreTheSameEachTime) {
+    MoldSettings settings = everything();
+    settings.layout.columns = 2;
+    const Result<Mold> first = moldOf(sheared(ball(15, 4), 0.3, -0.1), settings);
+    const Result<Mold> second = moldOf(sheared(ball(15, 4), 0.3, -0.1), settings);
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(first->half1.mesh->V, second->half1.mesh->V);
+    EXPECT_EQ(first->half2.mesh->F, second->half2.mesh->F);
+}
+
+TEST(Shrink, FormulasAreThoseOfTheTrade) {
+    EXPECT_DOUBLE_EQ(shrinkFactor(5, ShrinkFormula::Plus), 1.05);
+    EXPECT_NEAR(shrinkFactor(5, ShrinkFormula::Divide), 1.0526315789, 1e-9);
+    EXPECT_LT(shrinkFactor(-0.2, ShrinkFormula::Plus), 1);
+}
+
+TEST(Shrink, MakesTheCavityLarger) {
+    MoldSettings settings;
+    settings.shrink.percent.setConstant(2);
+    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), settings);
+    expectVerified(mold);
+    const double part = frustum(20, 10, 5, lean) + frustum(20, 10, 3, lean);
+    EXPECT_NEAR(mold->cavityVolume, part * std::pow(1.02, 3), 1e-5 * part);
+    EXPECT_NEAR(mold->partingArea, 200 * 1.02 * 1.02, 1e-3);
+}
+
+TEST(Shrink, AlongTheAxesTurnsPlaneAndDirections) {
+    KnownCast cast = moved(frusta(20, 10, 5, 3, std::tan(radians(8))), {0, 1, 0}, 0.6, {3, 2, 1});
+    ShrinkSettings shrink;
+    shrink.percent = Vector3d(1, 2, 4);
+    shrink.origin = Vector3d(3, 2, 1);
+    const Result<CompensatedCast> larger = compensated(cast.mesh, cast.state, shrink);
+    ASSERT_TRUE(larger);
+    // Points of the old plane lie in the new one.
+    const SideLabels labels = labelSides(cast.mesh, cast.state.plane);
+    EXPECT_EQ(labelSides(larger->mesh, larger->state.plane), labels);
+    EXPECT_NEAR(volume(larger->mesh), volume(cast.mesh) * 1.01 * 1.02 * 1.04, 1e-2);
+    MoldSettings settings;
+    settings.shrink = shrink;
+    expectVerified(moldOf(cast, settings));
+}
+
+TEST(Shrink, ThatTakesTheDraftSaysByHowMuch) {
+    const KnownCast cast = frusta(20, 10, 5, 3, std::tan(radians(1.05)));
+    MoldSettings settings;
+    settings.shrink.percent = Vector3d(0, 0, 6);
+    const Result<Mold> mold = moldOf(cast, settings);
+    ASSERT_TRUE(mold);
+    EXPECT_FALSE(mold->verified());
+    ASSERT_FALSE(mold->notes.empty());
+    EXPECT_NE(mold->notes.front().find("Design the cast with"), std::string::npos);
+}
+
+TEST(Shrink, OfHalfThePartIsAMistake) {
+    MoldSettings settings;
+    settings.shrink.percent.setConstant(60);
+    ASSERT_FALSE(moldOf(frusta(20, 10, 5, 3, lean), settings));
+}
