@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/mold_command.h"
 
+#include "cli/material_table.h"
 #include "cli/mold_options.h"
 #include "cli/open_project.h"
 #include "mold/mold_files.h"
@@ -8,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace moldwright::cli {
@@ -18,7 +20,43 @@ struct MoldJob {
     std::string input;
     std::string folder;
     MoldOptions mold;
+    std::vector<std::string> also;
+    std::string material;
 };
+
+/// What a material's value is, and where it comes from.
+std::string cited(const char* what, const MaterialValue& value, const char* unit) {
+    return std::string(what) + " " + readable(value.value) + unit + " (" + value.source +
+           (value.status == "sourced" ? "" : "; " + value.status) + ")";
+}
+
+/// Shrink and density of the material, and a sentence that says so; one more where the cast has less draft.
+Result<MoldSettings> withMaterial(MoldSettings settings, const std::string& name, double draftDegrees,
+                                  std::vector<std::string>& notes) {
+    const Result<std::vector<Material>> table = materialTable();
+    if (!table)
+        return std::unexpected(table.error());
+    const Result<Material> material = materialNamed(*table, name);
+    if (!material)
+        return std::unexpected(material.error());
+    settings.shrink.percent.setConstant(material->shrinkPercent.value);
+    settings.shrink.formula = material->divide ? ShrinkFormula::Divide : ShrinkFormula::Plus;
+    settings.density = material->density.value;
+    notes.push_back(material->name + ": " + cited("shrink", material->shrinkPercent, " %") + ", " +
+                    cited("density", material->density, " g/cm³") + ".");
+    if (material->draftDegrees.value > draftDegrees)
+        notes.push_back("The cast was designed with " + readable(draftDegrees) + "° of draft; " +
+                        material->name + " usually asks for " +
+                        cited("", material->draftDegrees, "°").substr(1) + ".");
+    return settings;
+}
+
+MoldFormats formatsOf(const std::vector<std::string>& names) {
+    const auto given = [&](const char* name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    return {given("obj"), given("ply"), given("svg"), given("dxf")};
+}
 
 void describe(const Mold& mold, std::ostream& out) {
     if (mold.verified())
@@ -42,15 +80,24 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
     if (!project.cast)
         return failure(ErrorCode::BadInput, MW_TEXT("cli", "{0} holds no finished cast. Run design first."),
                        {job.input});
+    const CastResult& cast = *project.cast;
+    std::vector<std::string> notes;
+    if (!job.material.empty()) {
+        Result<MoldSettings> chosen = withMaterial(project.mold, job.material, cast.draftDegrees, notes);
+        if (!chosen)
+            return std::unexpected(chosen.error());
+        project.mold = *std::move(chosen);
+    }
     const Result<MoldSettings> settings = job.mold.applied(project.mold);
     if (!settings)
         return std::unexpected(settings.error());
-    const CastResult& cast = *project.cast;
-    const Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, *settings,
-                                        session.task().part(0.1, 0.9));
+    Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, *settings,
+                                  session.task().part(0.1, 0.9));
     if (!mold)
         return std::unexpected(mold.error());
-    if (const Result<void> written = writeMold(*mold, project.name, job.folder); !written)
+    mold->notes.insert(mold->notes.begin(), notes.begin(), notes.end());
+    if (const Result<void> written = writeMold(*mold, project.name, job.folder, formatsOf(job.also));
+        !written)
         return std::unexpected(written.error());
     session.task().progress(1, "Done");
     describe(*mold, session.out());
@@ -65,13 +112,16 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
 constexpr const char* manual =
     "IN is a project file that holds a cast, or the folder that design wrote. Writes mold-half-1.stl,\n"
     "mold-half-2.stl and mold-cast.stl in the mold's frame (parting plane z = 0, side 1 up), mold.3mf\n"
-    "with all three on a plate, and mold.json. What is written is what was proved.\n"
+    "with all three on a plate, and mold.json. What is written is what was proved. The spout leaves\n"
+    "through the face at +y; --pour says which turn of the cast that is up for.\n"
     "\n"
     "JSON: as mold.json: verified, d1, d2, part_to_mold[16] (row-major), half1, half2 (volume, size,\n"
-    "faces), cavity_volume, channel_volume, parting_area, clamp_force (kN), min_wall, features[].\n"
+    "faces), cavity_volume, channel_volume, parting_area, clamp_force (kN), min_wall, features[], steel[],\n"
+    "shot, shrink, path_lengths[], trapped_air, notes[], problems[].\n"
     "\n"
     "Example:\n"
-    "  moldwright-cli mold rabbit.moldwright --out rabbit-mold --wall 8";
+    "  moldwright-cli mold rabbit.moldwright --out rabbit-mold --cavities 2x2 --spout auto --vents auto\n"
+    "      --keys 4 --slits 2 --material polyurethane";
 
 } // namespace
 
@@ -83,6 +133,13 @@ Command moldCommand() {
                 ->type_name("FILE|DIR")
                 ->required();
             app.add_option("--out", job->folder, "Folder for the mold's files")->type_name("DIR")->required();
+            app.add_option("--also", job->also, "Further files: obj, ply, svg, dxf; comma between")
+                ->delimiter(',')
+                ->check(CLI::IsMember({"obj", "ply", "svg", "dxf"}));
+            app.add_option(
+                   "--material", job->material,
+                   "Takes shrink, formula and density from the table of materials; options given go first")
+                ->type_name("NAME");
             job->mold.declare(app);
             return Action([job](const Session& session) { return build(*job, session); });
         }};

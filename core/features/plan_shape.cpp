@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "features/plan_shape.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <limits>
 #include <numbers>
@@ -66,6 +68,16 @@ double planDistance(const PlanShape& a, const PlanShape& b) {
             least = std::min({least, distanceToSegment(a[i], b[j], b1), distanceToSegment(b[j], a[i], a1)});
         }
     return least;
+}
+
+bool planKeepsClear(const PlanShape& a, const PlanShape& b, double distance) {
+    Eigen::AlignedBox2d boxA;
+    Eigen::AlignedBox2d boxB;
+    for (const Vector2d& p : a)
+        boxA.extend(p);
+    for (const Vector2d& p : b)
+        boxB.extend(p);
+    return boxA.exteriorDistance(boxB) >= distance || planDistance(a, b) >= distance;
 }
 
 bool insidePlan(const PlanShape& shape, const Vector2d& p) {

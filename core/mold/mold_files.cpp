@@ -3,6 +3,7 @@
 
 #include "exchange/mesh_file.h"
 #include "mesh/measures.h"
+#include "mold/drawing.h"
 #include "mold/three_mf.h"
 
 #include <nlohmann/json.hpp>
@@ -117,16 +118,43 @@ std::vector<PlateItem> plate(const Mold& mold) {
     return {items.begin(), items.end()};
 }
 
-Result<void> writeMeshes(const Mold& mold, const std::filesystem::path& folder) {
+Result<void> writeMeshes(const Mold& mold, const std::filesystem::path& folder, const std::string& ending,
+                         MeshFormat format) {
     const std::array<std::pair<const char*, SharedMesh>, 3> meshes = {
-        std::pair{"mold-half-1.stl", mold.half1.mesh},
-        std::pair{"mold-half-2.stl", mold.half2.mesh},
-        std::pair{"mold-cast.stl", mold.cast},
+        std::pair{"mold-half-1", mold.half1.mesh},
+        std::pair{"mold-half-2", mold.half2.mesh},
+        std::pair{"mold-cast", mold.cast},
     };
     for (const auto& [name, mesh] : meshes)
-        if (Result<void> done = writeMesh(folder / name, *mesh, MeshFormat::StlBinary); !done)
+        if (Result<void> done = writeMesh(folder / (name + ending), *mesh, format); !done)
             return done;
     return {};
+}
+
+Result<void> writeDrawings(const Mold& mold, const std::filesystem::path& folder, const std::string& ending,
+                           std::string (*written)(const Drawing&)) {
+    const std::array<std::pair<const char*, Drawing>, 3> drawings = {
+        std::pair{"mold-plan", planDrawing(mold)},
+        std::pair{"mold-section-x", sectionDrawing(mold, 0)},
+        std::pair{"mold-section-y", sectionDrawing(mold, 1)},
+    };
+    for (const auto& [name, drawing] : drawings)
+        if (Result<void> done = writeFileAtomically(folder / (name + ending), written(drawing)); !done)
+            return done;
+    return {};
+}
+
+Result<void> writeAlso(const Mold& mold, const std::filesystem::path& folder, const MoldFormats& also) {
+    Result<void> done;
+    if (also.obj)
+        done = writeMeshes(mold, folder, ".obj", MeshFormat::Obj);
+    if (done && also.ply)
+        done = writeMeshes(mold, folder, ".ply", MeshFormat::Ply);
+    if (done && also.svg)
+        done = writeDrawings(mold, folder, ".svg", svgOf);
+    if (done && also.dxf)
+        done = writeDrawings(mold, folder, ".dxf", dxfOf);
+    return done;
 }
 
 } // namespace
@@ -164,13 +192,16 @@ std::string moldJson(const Mold& mold) {
     return whole.dump(2) + "\n";
 }
 
-Result<void> writeMold(const Mold& mold, const std::string& partName, const std::filesystem::path& folder) {
+Result<void> writeMold(const Mold& mold, const std::string& partName, const std::filesystem::path& folder,
+                       const MoldFormats& also) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
         return failure(ErrorCode::WriteFailed, MW_TEXT("Mold", "The folder {0} could not be made: {1}."),
                        {folder.string(), error.message()});
-    if (Result<void> done = writeMeshes(mold, folder); !done)
+    if (Result<void> done = writeMeshes(mold, folder, ".stl", MeshFormat::StlBinary); !done)
+        return done;
+    if (Result<void> done = writeAlso(mold, folder, also); !done)
         return done;
     const Result<std::string> threeMf = threeMfBytes("Mold for " + partName, plate(mold));
     if (!threeMf)

@@ -33,7 +33,7 @@ double socketRadius(const KeySettings& keys, bool odd, double shift) {
 
 bool keepsClear(const PlanShape& shape, const Obstacles& obstacles, double steel) {
     return std::all_of(obstacles.begin(), obstacles.end(),
-                       [&](const PlanShape& obstacle) { return planDistance(shape, obstacle) >= steel; });
+                       [&](const PlanShape& obstacle) { return planKeepsClear(shape, obstacle, steel); });
 }
 
 /// The free place nearest to `wish` in the part of the block that is nearer to it than to its middle.

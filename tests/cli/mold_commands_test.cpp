@@ -116,6 +116,86 @@ TEST_F(MoldCommands, MoldTakesAFolderAndNeedsACast) {
     EXPECT_NE(run.err.find("holds no finished cast"), std::string::npos);
 }
 
+TEST_F(MoldCommands, MoldWithAllItsFeaturesVerifies) {
+    // Both directions lean more than 15° off the normal.
+    const std::string file =
+        project(test::moved(test::sheared(test::ball(12, 4), 0.3, 0.35), {1, 2, 3}, 0.4, {3, 4, 5}));
+    const test::Run run = test::runProgram({"mold",
+                                            file,
+                                            "--out",
+                                            in("out"),
+                                            "--cavities",
+                                            "2x2",
+                                            "--spout",
+                                            "auto",
+                                            "--vents",
+                                            "auto",
+                                            "--keys",
+                                            "4",
+                                            "--slits",
+                                            "2",
+                                            "--shrink",
+                                            "1.5",
+                                            "--shrink-formula",
+                                            "plus",
+                                            "--also",
+                                            "obj,ply,svg,dxf",
+                                            "--json",
+                                            "-"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["verified"], true);
+    EXPECT_EQ(json["cavities"], 4);
+    EXPECT_NEAR(json["shrink"]["factors"][0].get<double>(), 1.015, 1e-12);
+    EXPECT_EQ(json["path_lengths"].size(), 4U);
+    EXPECT_GT(json["channel_volume"].get<double>(), 0);
+    EXPECT_NEAR(json["half1"]["volume"].get<double>() + json["half2"]["volume"].get<double>() +
+                    json["cavity_volume"].get<double>() + json["channel_volume"].get<double>() +
+                    json["other_volume"].get<double>(),
+                json["block_volume"].get<double>(), 1e-6 * json["block_volume"].get<double>());
+    for (const char* name : {"mold-half-1.obj", "mold-cast.ply", "mold-plan.svg", "mold-section-x.dxf"})
+        EXPECT_TRUE(std::filesystem::file_size(in(std::string("out/") + name)) > 200) << name;
+    std::vector<std::string> verify = {"verify",
+                                       in("out/mold-cast.stl"),
+                                       "--plane",
+                                       "0",
+                                       "0",
+                                       "1",
+                                       "0",
+                                       "--half1",
+                                       in("out/mold-half-1.stl"),
+                                       "--half2",
+                                       in("out/mold-half-2.stl")};
+    for (const char* d : {"d1", "d2"}) {
+        verify.push_back(std::string("--") + d);
+        for (const Json& x : json[d])
+            verify.push_back(x.dump());
+    }
+    EXPECT_EQ(test::runProgram(verify).exitCode, 0) << "the files as they were written";
+}
+
+TEST_F(MoldCommands, MoldRefusesWhatCannotBe) {
+    const std::string oblique = project(test::sheared(test::ball(12, 4), 0.3, 0.35));
+    const test::Run turned =
+        test::runProgram({"mold", oblique, "--out", in("out"), "--cavities", "1x2", "--alternate", "turn"});
+    EXPECT_EQ(turned.exitCode, 4);
+    EXPECT_NE(turned.err.find("cannot be turned"), std::string::npos);
+    EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--cavities", "2y2"}).exitCode, 2);
+    EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--vents", "auto"}).exitCode, 2);
+    EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--shrink", "70"}).exitCode, 2);
+    EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--material", "gold"}).exitCode, 2);
+}
+
+TEST_F(MoldCommands, AMaterialBringsItsShrinkAndDensity) {
+    const test::Run run =
+        test::runProgram({"mold", project(m_box), "--out", in("out"), "--material", "pp", "--json", "-"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_NEAR(json["shrink"]["percent"][2].get<double>(), 1.6, 1e-12);
+    EXPECT_NEAR(json["shot"]["mass_g"].get<double>(), 0.905 * json["shot"]["volume_cm3"].get<double>(), 1e-9);
+    EXPECT_NE(json["notes"][0].get<std::string>().find("charts"), std::string::npos) << "the source is told";
+}
+
 TEST_F(MoldCommands, InfoShowsTheManifest) {
     const test::Run run = test::runProgram({"info", project(m_box), "--json", "-"});
     EXPECT_EQ(run.exitCode, 0) << run.err;

@@ -42,7 +42,7 @@ bool startsWith(const std::string& text, const std::string& start) {
 
 const std::vector<std::string> roomsFromTheGroundUp = {"base",     "mesh",        "exchange", "castability",
                                                        "pins",     "deformation", "fill",     "design",
-                                                       "features", "mold",        "report",   "project"};
+                                                       "materials", "features", "mold",        "report",   "project"};
 
 } // namespace
 
