@@ -789,6 +789,58 @@
         <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
         <translation>Die 3MF-Datei ließ sich nicht schreiben: lib3mf scheiterte an {0}.</translation>
     </message>
+    <message>
+        <source>A channel&apos;s wall would have to lie flat to leave along the removal directions with {0}°.</source>
+        <translation>Die Wand eines Kanals müsste flach liegen, um sich entlang der Entformungsrichtungen mit {0}° zu lösen.</translation>
+    </message>
+    <message>
+        <source>A runner can only be {0} mm deep here, which is too little for the gates that open into it. Take a wider spout or narrower gates.</source>
+        <translation>Ein Verteilerkanal kann hier nur {0} mm tief sein, zu wenig für die Anschnitte, die in ihn münden. Ein breiterer Einguss oder schmalere Anschnitte helfen.</translation>
+    </message>
+    <message>
+        <source>Every second cavity cannot be turned: its faces would leave with {0}°, {1}° are required. Turned copies need removal directions normal to the plane.</source>
+        <translation>Nicht jede zweite Kavität kann gedreht werden: Ihre Flächen würden sich mit {0}° lösen, {1}° sind gefordert. Gedrehte Kopien brauchen Entformungsrichtungen senkrecht zur Ebene.</translation>
+    </message>
+    <message>
+        <source>Every second cavity cannot be turned over: its faces would leave with {0}°, {1}° are required. That needs removal directions that the half-turn exchanges.</source>
+        <translation>Nicht jede zweite Kavität kann gewendet werden: Ihre Flächen würden sich mit {0}° lösen, {1}° sind gefordert. Das verlangt Entformungsrichtungen, die die halbe Drehung vertauscht.</translation>
+    </message>
+    <message>
+        <source>Every second cavity cannot be mirrored: its faces would leave with {0}°, {1}° are required. That needs removal directions in the mirror&apos;s plane.</source>
+        <translation>Nicht jede zweite Kavität kann gespiegelt werden: Ihre Flächen würden sich mit {0}° lösen, {1}° sind gefordert. Das verlangt Entformungsrichtungen in der Spiegelebene.</translation>
+    </message>
+    <message>
+        <source>The channels could not be joined to the cavity soundly at any of {0} nearby places. Another pour direction or gate width may help.</source>
+        <translation>Die Kanäle ließen sich an keiner von {0} nahen Stellen fehlerfrei mit der Kavität verbinden. Eine andere Gießrichtung oder Anschnittbreite kann helfen.</translation>
+    </message>
+    <message>
+        <source>The way from a cavity&apos;s gate to the runner passes through another part of the cavity. Choose another pour direction.</source>
+        <translation>Der Weg vom Anschnitt einer Kavität zum Verteilerkanal führt durch einen anderen Teil der Kavität. Bitte eine andere Gießrichtung wählen.</translation>
+    </message>
+    <message>
+        <source>Vents need a spout: without one nothing tells which way is up while the mold is filled.</source>
+        <translation>Entlüftungen brauchen einen Einguss: Ohne ihn ist nicht bestimmt, wo beim Füllen oben ist.</translation>
+    </message>
+    <message>
+        <source>There is no room for {0} keys and {1} slits. Ask for fewer or smaller ones.</source>
+        <translation>Für {0} Passkegel und {1} Hebelschlitze ist kein Platz. Bitte weniger oder kleinere verlangen.</translation>
+    </message>
+    <message>
+        <source>A shrink of {0} % is no shrink of a material: give less than 50 %.</source>
+        <translation>{0} % ist keine Schwindung eines Werkstoffs: bitte weniger als 50 % angeben.</translation>
+    </message>
+    <message>
+        <source>The parting face could not be built: features meet in the parting plane.</source>
+        <translation>Die Trennfläche ließ sich nicht bilden: Merkmale treffen in der Trennebene aufeinander.</translation>
+    </message>
+    <message>
+        <source>A wall at the parting plane would have to lie flat to leave along the removal directions with {0}°.</source>
+        <translation>Eine Wand an der Trennebene müsste flach liegen, um sich entlang der Entformungsrichtungen mit {0}° zu lösen.</translation>
+    </message>
+    <message>
+        <source>A channel {0} mm deep closes before its floor: it is too narrow for the lean that its walls need.</source>
+        <translation>Ein {0} mm tiefer Kanal schließt sich vor seinem Grund: Er ist zu schmal für die Neigung, die seine Wände brauchen.</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>
@@ -1017,6 +1069,14 @@
     <message>
         <source>Half %1</source>
         <translation>Hälfte %1</translation>
+    </message>
+    <message>
+        <source>Half 1</source>
+        <translation>Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Half 2</source>
+        <translation>Hälfte 2</translation>
     </message>
 </context>
 <context>
@@ -1503,6 +1563,10 @@
     <message>
         <source>At the parting line, where the directions are not parallel.</source>
         <translation>An der Trennlinie, wo die Richtungen nicht parallel sind.</translation>
+    </message>
+    <message>
+        <source>How the removal directions are chosen when the part is deformed.</source>
+        <translation>Wie die Entformungsrichtungen beim Verformen gewählt werden.</translation>
     </message>
 </context>
 <context>
@@ -2885,6 +2949,10 @@
         <source>It will be filled. %1 more places to decide on.</source>
         <translation>Es wird gefüllt. Über %1 weitere Stellen ist zu entscheiden.</translation>
     </message>
+    <message>
+        <source>It will be filled. %1 more to decide on.</source>
+        <translation>Es wird gefüllt. Über %1 weitere ist zu entscheiden.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -3464,6 +3532,21 @@
     <message>
         <source>Finish</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>Materials</name>
+    <message>
+        <source>{0}: the numbers of the material {1} cannot be right.</source>
+        <translation>{0}: Die Zahlen des Werkstoffs {1} können nicht stimmen.</translation>
+    </message>
+    <message>
+        <source>{0} is not a table of materials: {1}.</source>
+        <translation>{0} ist keine Werkstofftabelle: {1}.</translation>
+    </message>
+    <message>
+        <source>There is no material {0}. Known are: {1}.</source>
+        <translation>Den Werkstoff {0} gibt es nicht. Bekannt sind: {1}.</translation>
     </message>
 </context>
 </TS>
