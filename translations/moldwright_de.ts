@@ -778,10 +778,6 @@
         <translation>Der Formenbau wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>The parting face could not be built: the parting curves cross.</source>
-        <translation>Die Trennfläche ließ sich nicht bauen: die Trennlinien kreuzen sich.</translation>
-    </message>
-    <message>
         <source>The folder {0} could not be made: {1}.</source>
         <translation>Der Ordner {0} ließ sich nicht anlegen: {1}.</translation>
     </message>

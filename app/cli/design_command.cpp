@@ -3,6 +3,7 @@
 
 #include "cli/design_files.h"
 #include "cli/load_part.h"
+#include "cli/mold_options.h"
 #include "cli/render_client.h"
 #include "cli/size_options.h"
 #include "cli/state_options.h"
@@ -42,7 +43,8 @@ struct DesignOptions {
     std::vector<double> bendAt;
     bool mold = false;
     bool report = false;
-    MoldSettings block;
+    MoldSettings block; ///< the options' values, once they are read
+    MoldOptions moldOptions;
 };
 
 std::vector<Message> warningsFor(const IndexedMesh& part, const DesignResult& result) {
@@ -269,7 +271,7 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     o.size.declare(app);
     app.add_flag("--mold", o.mold, "Also build, prove and write the mold halves");
     app.add_flag("--report", o.report, "Also write the printable report, report.pdf");
-    app.add_option("--wall", o.block.wall, "Steel around the cavity, mm")->check(CLI::PositiveNumber);
+    o.moldOptions.declare(app);
 }
 
 } // namespace
@@ -278,16 +280,20 @@ Command designCommand() {
     return {"design", "Bends a mesh until it is castable, proves it, and writes cast and mold",
             "Writes cast.ply, cast.stl, project.moldwright, design.json and timings.json into the folder; "
             "with --mold also\n"
-            "the mold halves. Exit code 0: castable and proved. 1: not castable, no obstruction found. 4: an "
+            "the mold halves, with the options of the command mold. Exit code 0: castable and proved. 1: not "
+            "castable, no obstruction found. 4: an "
             "obstruction\n"
             "stands in the way, named with its place.\n\n"
             "Example: moldwright-cli design rabbit.ply --out rabbit --size 80 --draft 1 --mold",
             [](CLI::App& app) -> Action {
                 const auto options = std::make_shared<DesignOptions>();
                 declareOptions(app, *options);
-                return [options](const Session& session) {
+                return [options](const Session& session) -> Result<ExitCode> {
                     DesignOptions run = *options;
-                    run.block.floor = run.block.ceiling = run.block.wall;
+                    const Result<MoldSettings> block = run.moldOptions.applied({});
+                    if (!block)
+                        return std::unexpected(block.error());
+                    run.block = *block;
                     return runDesign(run, session);
                 };
             }};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/mold_files.h"
 
+#include "mold/drawing.h"
+
 #include "support/casts.h"
 #include "support/folders.h"
 
@@ -104,6 +106,25 @@ TEST(MoldFiles, ThreeMfHoldsThreeNamedSolidsInMillimetres) {
                                        mold.cast->faceCount()));
     for (const char* name : {"Mold half 1", "Mold half 2", "Cast"})
         EXPECT_EQ(occurrences(model, "name=\"" + std::string(name) + "\""), 1U) << name;
+}
+
+TEST(MoldFiles, DrawingsShowThePartingPlaneInMillimetres) {
+    const Mold mold = plainMold();
+    const Drawing plan = planDrawing(mold);
+    ASSERT_EQ(plan.layers.size(), 3U);
+    EXPECT_EQ(plan.layers[0].curves.size(), 1U);
+    EXPECT_EQ(plan.layers[0].curves[0].size(), 4U) << "the part's rectangle";
+    for (const std::size_t half : {1U, 2U})
+        EXPECT_EQ(plan.layers[half].curves.size(), 2U) << "the block with a hole";
+    EXPECT_EQ(sectionDrawing(mold, 0).layers[2].curves.size(), 1U);
+    EXPECT_NE(svgOf(plan).find("mm\""), std::string::npos);
+    const std::string dxf = dxfOf(plan);
+    EXPECT_EQ(occurrences(dxf, "\nPOLYLINE\n"), 5U);
+    EXPECT_NE(dxf.find("$INSUNITS\n70\n4"), std::string::npos);
+    const ScratchFolder folder;
+    ASSERT_TRUE(writeMold(mold, "box", folder.path(), {true, true, true, true}));
+    for (const char* name : {"mold-half-2.obj", "mold-cast.ply", "mold-plan.svg", "mold-section-y.dxf"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
 }
 
 TEST(MoldFiles, AFolderThatCannotBeMadeIsNamed) {
