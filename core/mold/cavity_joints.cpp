@@ -101,15 +101,10 @@ private:
         for (Vector2d& p : rest)
             p.y() = std::max(p.y(), above);
         rest.erase(std::unique(rest.begin(), rest.end()), rest.end());
-        // Its own hump may be flat: only what lies beyond is in the way.
         return rest.size() < 3 ||
                std::none_of(
                    m_outlines.begin(), m_outlines.end(),
-                   [&](const PlanShape& outline) {
-                       return std::any_of(outline.begin(), outline.end(), [&](const Vector2d& p) {
-                           return p.y() > above && insidePlan(rest, p);
-                       });
-                   });
+                   [&](const PlanShape& outline) { return planDistance(rest, outline) == 0; });
     }
 
     Result<void> add(PlanShape shape, double width, const char* name, bool isVent) {

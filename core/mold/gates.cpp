@@ -5,6 +5,7 @@
 #include "mesh/measures.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace moldwright {
@@ -39,6 +40,24 @@ std::vector<int> componentOfPoints(const IndexedMesh& cast) {
         for (int k = 0; k < 3; ++k)
             ofPoint[static_cast<std::size_t>(cast.F(f, k))] = components.ofFace[static_cast<std::size_t>(f)];
     return ofPoint;
+}
+
+/// Gates with a piece of another solid's outline above them.
+int blockedGates(const IndexedMesh& cast, const std::vector<Gate>& gates, double width) {
+    int blocked = 0;
+    for (const Gate& gate : gates) {
+        const Vector2d tip = plan(cast, gate.point);
+        const auto isAbove = [&](const Vector2d& a, const Vector2d& b) {
+            return std::max(a.y(), b.y()) > tip.y() && std::max(a.x(), b.x()) > tip.x() - width / 2 &&
+                   std::min(a.x(), b.x()) < tip.x() + width / 2;
+        };
+        bool free = true;
+        for (const Gate& other : gates)
+            for (std::size_t k = 0; k < other.outline.size(); ++k)
+                free = free && !isAbove(other.outline[k], other.outline[(k + 1) % other.outline.size()]);
+        blocked += free ? 0 : 1;
+    }
+    return blocked;
 }
 
 } // namespace
@@ -81,18 +100,18 @@ std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<Gate>& g
     return all;
 }
 
-int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double smallestTrap) {
+int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double width, double smallestTrap) {
     int best = 0;
-    double least = 0;
+    std::pair<int, double> least{std::numeric_limits<int>::max(), 0};
     for (int quarters = 0; quarters < 4; ++quarters) {
         const IndexedMesh turned = quarterTurned(cast, quarters);
-        const std::vector<Gate> gates = gatesOf(turned, labels, Vector2d::UnitY(), 1);
-        double trapped = 0;
+        const std::vector<Gate> gates = gatesOf(turned, labels, Vector2d::UnitY(), width);
+        std::pair<int, double> cost{blockedGates(turned, gates, width), 0};
         for (const AirTrap& trap : trapsOf(turned, gates, Vector2d::UnitY(), smallestTrap))
-            trapped += trap.volume;
-        if (quarters == 0 || trapped < least) {
+            cost.second += trap.volume;
+        if (cost < least) {
             best = quarters;
-            least = trapped;
+            least = cost;
         }
     }
     return best;

@@ -25,9 +25,11 @@ struct Gate {
 [[nodiscard]] std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<Gate>& gates,
                                            const Eigen::Vector2d& up, double smallest);
 
-/// Of the four quarter turns the one with which least air is trapped when +y is up; 0 to 3. The smallest
-/// among equals.
-[[nodiscard]] int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double smallestTrap);
+/// Of the four quarter turns the one with which, when +y is up, the fewest gates `width` mm wide have another
+/// solid of the cavity over them, and of those the one that traps least air; 0 to 3. The smallest among
+/// equals.
+[[nodiscard]] int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double width,
+                                  double smallestTrap);
 
 /// The mesh turned by quarters about z, counter-clockwise; exact.
 [[nodiscard]] IndexedMesh quarterTurned(const IndexedMesh& mesh, int quarters);

@@ -66,7 +66,7 @@ Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& label
     int quarters = 0;
     if (spout().on)
         quarters = spout().pour == PourDirection::Automatic
-                       ? bestQuarterTurn(placed.mesh, labels, settings.vents.smallestTrap)
+                       ? bestQuarterTurn(placed.mesh, labels, spout().gate, settings.vents.smallestTrap)
                        : static_cast<int>(spout().pour) - 1;
     m_cast = quarterTurned(placed.mesh, quarters);
     m_labels = labels;
@@ -161,8 +161,16 @@ Block MoldBuilder::blockFor(double wallX, double wallY) const {
             content.spoutTop = content.cavities.max().y() + m_mold.settings.layout.spacing / 2 +
                                spoutLength(spout(), widths.gate, widths.straight()) + tail;
         } else {
-            for (const double way : {-1.0, 1.0})
+            for (const double way : {-1.0, 1.0}) {
                 content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
+                // Runners reach beyond the outermost gates.
+                for (const CavityCopy& copy : m_layout.copies)
+                    for (const Gate& gate : m_gates[copy.kind])
+                        content.cavities.extend(Vector3d(m_kinds[copy.kind].cast.V(gate.point, 0) +
+                                                             copy.offset.x() +
+                                                             way * (widths.gate / 2 + widths.beside),
+                                                         0, 0));
+            }
             const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
             content.spoutTop =
                 std::max(top + spoutLength(spout(), widths.main, widths.straight()) + tail, top + wallY);

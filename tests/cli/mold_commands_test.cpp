@@ -11,6 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
 using namespace moldwright;
 using Json = nlohmann::ordered_json;
 
@@ -172,6 +176,29 @@ TEST_F(MoldCommands, MoldWithAllItsFeaturesVerifies) {
             verify.push_back(x.dump());
     }
     EXPECT_EQ(test::runProgram(verify).exitCode, 0) << "the files as they were written";
+}
+
+TEST_F(MoldCommands, OtherProgramsFindNoFaultInTheHalves) {
+    if (std::system("command -v admesh > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "admesh is not installed";
+    const std::string file = project(test::sheared(test::ball(12, 4), 0.3, 0.35));
+    ASSERT_EQ(test::runProgram({"mold", file, "--out", in("out"), "--cavities", "1x2", "--spout", "auto",
+                                "--vents", "auto", "--keys", "4", "--slits", "2"})
+                  .exitCode,
+              0);
+    for (const char* half : {"1", "2"}) {
+        const std::string command = "admesh '" + in(std::string("out/mold-half-") + half + ".stl") + "' > '" +
+                                    in("admesh.txt") + "' 2>&1";
+        ASSERT_EQ(std::system(command.c_str()), 0);
+        std::ifstream report(in("admesh.txt"));
+        const std::string text{std::istreambuf_iterator<char>(report), {}};
+        for (const char* fault : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
+                                  "Facets reversed", "Backwards edges"}) {
+            const std::size_t at = text.find(fault);
+            ASSERT_NE(at, std::string::npos) << fault;
+            EXPECT_EQ(std::atoi(text.c_str() + text.find(':', at) + 1), 0) << fault;
+        }
+    }
 }
 
 TEST_F(MoldCommands, MoldRefusesWhatCannotBe) {

@@ -122,6 +122,28 @@ TEST(MoldFeatures, RunnersFeedAllCavities) {
     EXPECT_EQ(diagnose(*mold->cast).components, 1) << "everything that solidifies is one piece";
 }
 
+TEST(MoldFeatures, EachSolidOfAPartHasItsGate) {
+    KnownCast cast = frusta(20, 10, 5, 3, lean);
+    IndexedMesh second = frusta(8, 6, 4, 2, lean).mesh;
+    second.V.col(0).array() += 22;
+    cast.mesh = together(cast.mesh, second);
+    MoldSettings settings = everything();
+    expectVerified(moldOf(cast, settings));
+    settings.layout.columns = 2;
+    const Result<Mold> mold = moldOf(cast, settings);
+    expectVerified(mold);
+    EXPECT_EQ(count(*mold, "gate"), 4);
+    EXPECT_EQ(diagnose(*mold->cast).components, 1);
+}
+
+TEST(MoldFeatures, RunnersKeepTheWallToTheOutside) {
+    MoldSettings settings = everything();
+    settings.layout = {2, 2, Arrangement::Grid, Alternation::None, 5};
+    const Result<Mold> mold = moldOf(ball(8, 4), settings);
+    expectVerified(mold);
+    EXPECT_GE(steelBetween(*mold, "Runner", "outside")->thickness, settings.wall - 1e-6);
+}
+
 TEST(MoldFeatures, OfAFlatBackedPartLeaveTheSecondHalfFlat) {
     MoldSettings settings = everything();
     settings.layout.columns = 2;
