@@ -21,20 +21,28 @@ CLI::Option* length(CLI::App& app, const std::string& name, std::optional<double
     return app.add_option(name, value, help)->type_name("MM")->check(CLI::PositiveNumber.description(""));
 }
 
-void declareBlock(CLI::App& app, std::optional<double>& step) {
-    app.add_option("--size-step", step, "Block sizes round up to a multiple of this, mm; 0: not rounded")
-        ->type_name("MM")
-        ->check(CLI::NonNegativeNumber.description(""));
+CLI::Option* angle(CLI::App& app, const std::string& name, std::optional<double>& value,
+                   const std::string& help) {
+    return app.add_option(name, value, help)->type_name("DEG")->check(CLI::Range(0.0, 45.0));
 }
 
 } // namespace
 
 void MoldOptions::declare(CLI::App& app) {
+    declareBlock(app);
+    declareLayout(app);
+    declareChannels(app);
+    declareRegistration(app);
+}
+
+void MoldOptions::declareBlock(CLI::App& app) {
     length(app, "--wall", wall, "Steel round the cavities on all sides; the default is the project's");
     length(app, "--side-wall", side, "Steel at the sides alone");
     length(app, "--floor", floor, "Steel under the cavities of half 2");
     length(app, "--ceiling", ceiling, "Steel over the cavities of half 1");
-    declareBlock(app, step);
+    app.add_option("--size-step", step, "Block sizes round up to a multiple of this, mm; 0: not rounded")
+        ->type_name("MM")
+        ->check(CLI::NonNegativeNumber.description(""));
     length(app, "--least-steel", leastSteel, "Kept between features that are placed automatically");
     app.add_option("--pressure", pressure, "In the cavity while it fills, for the clamp force")
         ->type_name("BAR")
@@ -45,7 +53,9 @@ void MoldOptions::declare(CLI::App& app) {
     app.add_option("--block-density", blockDensity, "Of the block, for its mass")
         ->type_name("G/CM3")
         ->check(CLI::PositiveNumber.description(""));
+}
 
+void MoldOptions::declareLayout(CLI::App& app) {
     app.add_option("--cavities", cavities, "Rows x columns of cavities, or their number")->type_name("RxC");
     app.add_option("--layout", arrangement, "How they stand")
         ->check(CLI::IsMember({"grid", "staggered", "packed"}));
@@ -62,7 +72,9 @@ void MoldOptions::declare(CLI::App& app) {
     app.add_option("--shrink-origin", shrinkOrigin, "The point of the part that stays, mm")
         ->type_name("X Y Z")
         ->expected(3);
+}
 
+void MoldOptions::declareChannels(CLI::App& app) {
     app.add_option("--spout", spout, "A spout in the parting plane, with runners to all cavities")
         ->check(CLI::IsMember({"auto", "none"}));
     app.add_option("--pour", pour, "Which way is up while filling, as a turn of the cast in degrees")
@@ -70,16 +82,20 @@ void MoldOptions::declare(CLI::App& app) {
     length(app, "--spout-diameter", spoutDiameter, "Width of spout and main runner");
     length(app, "--funnel", funnel, "Width of the spout at the block's face");
     length(app, "--gate", gate, "Width where it meets the cavity");
-    app.add_option("--spout-draft", spoutDraft, "Draft of the channels' walls")->type_name("DEG");
+    angle(app, "--spout-draft", spoutDraft, "Draft of the channels' walls");
     app.add_option("--vents", vents, "Vents where air would stay")->check(CLI::IsMember({"auto", "none"}));
     length(app, "--vent-diameter", ventDiameter, "At the narrowest");
-    app.add_option("--smallest-trap", smallestTrap, "Air that may stay")->type_name("MM3");
+    app.add_option("--smallest-trap", smallestTrap, "Air that may stay")
+        ->type_name("MM3")
+        ->check(CLI::NonNegativeNumber.description(""));
+}
 
+void MoldOptions::declareRegistration(CLI::App& app) {
     app.add_option("--keys", keys, "Registration keys")->type_name("N")->check(CLI::Range(0, 8));
     length(app, "--key-diameter", keyDiameter, "At the parting plane; one is larger");
     length(app, "--key-height", keyHeight, "Of the keys");
     length(app, "--key-clearance", keyClearance, "Between key and socket");
-    app.add_option("--key-lean", keyLean, "Draft of the keys")->type_name("DEG");
+    angle(app, "--key-lean", keyLean, "Draft of the keys");
     app.add_option("--slits", slits, "Wedge slits at the sides")->type_name("N")->check(CLI::Range(0, 8));
     length(app, "--slit-depth", slitDepth, "Into the block");
     length(app, "--slit-width", slitWidth, "Along its face");

@@ -23,6 +23,10 @@ struct MoldOptions {
     [[nodiscard]] Result<MoldSettings> applied(MoldSettings settings) const;
 
 private:
+    void declareBlock(CLI::App& app);
+    void declareLayout(CLI::App& app);
+    void declareChannels(CLI::App& app);
+    void declareRegistration(CLI::App& app);
     [[nodiscard]] Result<void> applyLayout(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyShrink(ShrinkSettings& shrink) const;
     [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;

@@ -64,6 +64,10 @@ Vector3d middleOf(const DraftedPrism& prism) {
     return {sum.x(), sum.y(), 0};
 }
 
+std::vector<std::pair<std::string, double>> sizesOf(const DraftedPrism& prism) {
+    return {{"volume", volumeOf(prism)}, {"height_1", prism.height[0]}, {"height_2", prism.height[1]}};
+}
+
 std::unexpected<Error> unsound() {
     return failure(
         ErrorCode::Internal,
@@ -137,7 +141,7 @@ Result<void> MoldBuilder::measure() {
         if (thin.thickness < settings.leastSteel)
             m_mold.notes.push_back("Only " + readable(thin.thickness, 3) + " mm of steel between " +
                                    thin.first + " and " + thin.second + ".");
-    addFeatures();
+    listFeatures();
     return {};
 }
 
@@ -177,83 +181,88 @@ std::vector<Hollow> MoldBuilder::hollows() const {
     return all;
 }
 
-void MoldBuilder::addFeatures() {
+void MoldBuilder::listFeatures() {
     const MoldSettings& settings = m_mold.settings;
-    std::vector<MoldFeature>& features = m_mold.features;
     const Vector3d size = m_block.sizes();
-    features.push_back({"block",
-                        "Block",
-                        m_block.center(),
-                        {{"size_x", size.x()},
-                         {"size_y", size.y()},
-                         {"size_z", size.z()},
-                         {"wall", settings.wall},
-                         {"floor", settings.floor},
-                         {"ceiling", settings.ceiling}},
+    m_mold.features.push_back({"block",
+                               "Block",
+                               m_block.center(),
+                               {{"size_x", size.x()},
+                                {"size_y", size.y()},
+                                {"size_z", size.z()},
+                                {"wall", settings.wall},
+                                {"floor", settings.floor},
+                                {"ceiling", settings.ceiling}},
+                               {}});
+    for (const CavityCopy& copy : m_layout.copies)
+        listCavity(copy);
+    listChannels();
+    listRegistration();
+}
+
+void MoldBuilder::listCavity(const CavityCopy& copy) {
+    std::vector<MoldFeature>& features = m_mold.features;
+    const CavityKind& kind = m_kinds[copy.kind];
+    const JoinedCavity& joined = m_joined[copy.kind];
+    const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
+    features.push_back({"cavity",
+                        kind.mirrored ? "Cavity, mirrored" : "Cavity",
+                        by,
+                        {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}},
                         {}});
-    for (const CavityCopy& copy : m_layout.copies) {
-        const CavityKind& kind = m_kinds[copy.kind];
-        features.push_back({"cavity",
-                            kind.mirrored ? "Cavity, mirrored" : "Cavity",
-                            {copy.offset.x(), copy.offset.y(), 0},
-                            {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}},
+    const char* filledBy = single() ? "spout" : "gate";
+    for (const Stub& stub : joined.stubs)
+        features.push_back(
+            {stub.vent ? "vent" : filledBy, stub.name, middleOf(stub.prism) + by, sizesOf(stub.prism), {}});
+    for (const ThroughVent& vent : joined.vents)
+        features.push_back({"vent",
+                            "Vent through half " + std::to_string(vent.side),
+                            vent.mouth + by,
+                            {{"diameter", m_mold.settings.vents.diameter}, {"side", vent.side}},
                             {}});
-        const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
-        for (const Stub& stub : m_joined[copy.kind].stubs)
-            features.push_back({stub.vent  ? "vent"
-                                : single() ? "spout"
-                                           : "gate",
-                                stub.name,
-                                middleOf(stub.prism) + by,
-                                {{"volume", volumeOf(stub.prism)},
-                                 {"height_1", stub.prism.height[0]},
-                                 {"height_2", stub.prism.height[1]}},
-                                {}});
-        for (const ThroughVent& vent : m_joined[copy.kind].vents)
-            features.push_back({"vent",
-                                "Vent through half " + std::to_string(vent.side),
-                                vent.mouth + by,
-                                {{"diameter", settings.vents.diameter}, {"side", vent.side}},
-                                {}});
-        for (const RemainingAir& air : m_joined[copy.kind].remaining) {
-            m_mold.trappedAir += air.volume;
-            features.push_back({"trapped_air",
-                                "Air that stays",
-                                air.place + by,
-                                {{"volume", air.volume}},
-                                "No vent can be placed here."});
-        }
+    for (const RemainingAir& air : joined.remaining) {
+        m_mold.trappedAir += air.volume;
+        features.push_back({"trapped_air",
+                            "Air that stays",
+                            air.place + by,
+                            {{"volume", air.volume}},
+                            "No vent can be placed here, or none that reaches higher."});
     }
+}
+
+void MoldBuilder::listChannels() {
     for (const Channel& channel : m_net.channels)
-        features.push_back({channel.name == "Spout" ? "spout" : "runner",
-                            channel.name,
-                            middleOf(channel.prism),
-                            {{"volume", volumeOf(channel.prism)},
-                             {"height_1", channel.prism.height[0]},
-                             {"height_2", channel.prism.height[1]}},
-                            {}});
+        m_mold.features.push_back({channel.name == "Spout" ? "spout" : "runner",
+                                   channel.name,
+                                   middleOf(channel.prism),
+                                   sizesOf(channel.prism),
+                                   {}});
+    m_mold.pathLengths = m_net.pathLengths;
+}
+
+void MoldBuilder::listRegistration() {
+    const MoldSettings& settings = m_mold.settings;
     for (const RegistrationKey& key : m_keys) {
         const bool raised = key.leanDegrees > settings.keys.draft + 0.5;
-        features.push_back({"key",
-                            "Key",
-                            {key.place.x(), key.place.y(), 0},
-                            {{"diameter", key.diameter},
-                             {"height", settings.keys.height},
-                             {"clearance", settings.keys.clearance},
-                             {"lean_deg", key.leanDegrees}},
-                            raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
-                                         "°: with less it would hold when one half is opened first."
-                                   : ""});
+        m_mold.features.push_back({"key",
+                                   "Key",
+                                   {key.place.x(), key.place.y(), 0},
+                                   {{"diameter", key.diameter},
+                                    {"height", settings.keys.height},
+                                    {"clearance", settings.keys.clearance},
+                                    {"lean_deg", key.leanDegrees}},
+                                   raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
+                                                "°: with less it would hold when one half is opened first."
+                                          : ""});
     }
     for (const WedgeSlit& slit : m_slits)
-        features.push_back({"slit",
-                            "Wedge slit",
-                            {slit.place.x(), slit.place.y(), 0},
-                            {{"depth", settings.slits.depth},
-                             {"width", settings.slits.width},
-                             {"height", settings.slits.height}},
-                            {}});
-    m_mold.pathLengths = m_net.pathLengths;
+        m_mold.features.push_back({"slit",
+                                   "Wedge slit",
+                                   {slit.place.x(), slit.place.y(), 0},
+                                   {{"depth", settings.slits.depth},
+                                    {"width", settings.slits.width},
+                                    {"height", settings.slits.height}},
+                                   {}});
 }
 
 } // namespace moldwright

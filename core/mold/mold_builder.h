@@ -41,7 +41,10 @@ private:
     [[nodiscard]] Block blockFor(double wallX, double wallY) const;
     [[nodiscard]] bool placeOn(const Block& block);
     Result<void> addTails();
-    void addFeatures();
+    void listFeatures();
+    void listCavity(const CavityCopy& copy);
+    void listChannels();
+    void listRegistration();
     [[nodiscard]] std::vector<Hollow> hollows() const;
 
     Mold m_mold;

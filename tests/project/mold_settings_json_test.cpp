@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "project/mold_settings_json.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace moldwright;
+
+TEST(MoldSettingsJson, KeepsEveryValue) {
+    MoldSettings settings;
+    settings.wall = 7.5;
+    settings.blockDensity = 1.24;
+    settings.layout = {3, 5, Arrangement::Packed, Alternation::Flip, 4.25};
+    settings.shrink = {{1, 2, 3}, ShrinkFormula::Divide, {4, 5, 6}};
+    settings.spout = {true, 8, 14, 5, 6, PourDirection::Turn270};
+    settings.vents = {true, 2, 3};
+    settings.keys = {4, 5, 3, 0.3, 7, 2};
+    settings.slits = {2, 5, 10, 1};
+    EXPECT_EQ(moldSettingsFrom(moldSettingsJson(settings)), settings);
+}
+
+TEST(MoldSettingsJson, TakesDefaultsForWhatFilesOfOldDoNotName) {
+    const auto old = nlohmann::ordered_json::parse(
+        R"({"wall": 6, "floor": 5, "ceiling": 5, "step": 1, "pressure_bar": 4})");
+    MoldSettings expected;
+    expected.wall = 6;
+    EXPECT_EQ(moldSettingsFrom(old), expected);
+}
+
+TEST(MoldSettingsJson, UnknownNamesAreAnError) {
+    EXPECT_ANY_THROW(static_cast<void>(
+        moldSettingsFrom(nlohmann::ordered_json::parse(R"({"layout": {"arrangement": "heap"}})"))));
+}
