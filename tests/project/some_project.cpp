@@ -45,7 +45,13 @@ Project someProject() {
     project.undercuts = {{{1, -2, 0.25}, UndercutChoice::Treatment::Fill},
                          {{3, 4, 5}, UndercutChoice::Treatment::Bend}};
     project.faceWeights.assign(static_cast<std::size_t>(cast.mesh.faceCount()), 1.1);
-    project.mold = {4, 3, 6, 0.5, 12};
+    project.mold.wall = 4;
+    project.mold.floor = 3;
+    project.mold.ceiling = 6;
+    project.mold.step = 0.5;
+    project.mold.pressure = 12;
+    project.mold.keys.count = 4;
+    project.mold.shrink.percent = Eigen::Vector3d(1, 2, 3);
     project.state = cast.state;
     project.planeChosenByHand = true;
     project.cast =
