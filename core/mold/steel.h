@@ -29,7 +29,8 @@ struct ThinSteel {
 
 /// The thinnest steel of each pair of names, thinnest first. Distances from the points of each hollow to the
 /// faces of the other, both ways: exact where one of the nearest two places is a point of its mesh, as
-/// it is unless two edges pass each other askew; then it is too large by less than their faces are wide. Pairs further apart than `furthest` mm are left out.
+/// it is unless two edges pass each other askew; then it is too large by less than their faces are wide.
+/// Pairs further apart than `furthest` mm are left out.
 [[nodiscard]] std::vector<ThinSteel> thinnestSteel(const std::vector<Hollow>& hollows, const Block& block,
                                                    double furthest);
 

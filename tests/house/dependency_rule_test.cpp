@@ -40,9 +40,9 @@ bool startsWith(const std::string& text, const std::string& start) {
     return text.rfind(start, 0) == 0;
 }
 
-const std::vector<std::string> roomsFromTheGroundUp = {"base",     "mesh",        "exchange", "castability",
-                                                       "pins",     "deformation", "fill",     "design",
-                                                       "materials", "features", "mold",        "report",   "project"};
+const std::vector<std::string> roomsFromTheGroundUp = {
+    "base",   "mesh",      "exchange", "castability", "pins",   "deformation", "fill",
+    "design", "materials", "features", "mold",        "report", "project"};
 
 } // namespace
 
