@@ -1066,14 +1066,6 @@
         <source>Half %1</source>
         <translation>Hälfte %1</translation>
     </message>
-    <message>
-        <source>Half 1</source>
-        <translation>Hälfte 1</translation>
-    </message>
-    <message>
-        <source>Half 2</source>
-        <translation>Hälfte 2</translation>
-    </message>
 </context>
 <context>
     <name>Project</name>
@@ -1559,10 +1551,6 @@
     <message>
         <source>At the parting line, where the directions are not parallel.</source>
         <translation>An der Trennlinie, wo die Richtungen nicht parallel sind.</translation>
-    </message>
-    <message>
-        <source>How the removal directions are chosen when the part is deformed.</source>
-        <translation>Wie die Entformungsrichtungen beim Verformen gewählt werden.</translation>
     </message>
 </context>
 <context>
@@ -2944,10 +2932,6 @@
     <message>
         <source>It will be filled. %1 more places to decide on.</source>
         <translation>Es wird gefüllt. Über %1 weitere Stellen ist zu entscheiden.</translation>
-    </message>
-    <message>
-        <source>It will be filled. %1 more to decide on.</source>
-        <translation>Es wird gefüllt. Über %1 weitere ist zu entscheiden.</translation>
     </message>
 </context>
 <context>

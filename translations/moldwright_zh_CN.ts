@@ -954,16 +954,64 @@
         <translation>模具的构建已取消。</translation>
     </message>
     <message>
-        <source>The parting face could not be built: the parting curves cross.</source>
-        <translation>无法构建分型面：分型曲线相交。</translation>
-    </message>
-    <message>
         <source>The folder {0} could not be made: {1}.</source>
         <translation>无法创建文件夹 {0}：{1}。</translation>
     </message>
     <message>
         <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
         <translation>无法生成 3MF 文件：lib3mf 未能 {0}。</translation>
+    </message>
+    <message>
+        <source>A channel&apos;s wall would have to lie flat to leave along the removal directions with {0}°.</source>
+        <translation>通道壁须完全放平，才能沿脱模方向以 {0}° 脱出。</translation>
+    </message>
+    <message>
+        <source>A runner can only be {0} mm deep here, which is too little for the gates that open into it. Take a wider spout or narrower gates.</source>
+        <translation>此处流道只能深 {0} mm，不足以容纳通入其中的浇口。请选用更宽的浇道或更窄的浇口。</translation>
+    </message>
+    <message>
+        <source>Every second cavity cannot be turned: its faces would leave with {0}°, {1}° are required. Turned copies need removal directions normal to the plane.</source>
+        <translation>无法把每隔一个的型腔旋转：其面只能以 {0}° 脱出，而要求为 {1}°。旋转的副本要求脱模方向垂直于分型面。</translation>
+    </message>
+    <message>
+        <source>Every second cavity cannot be turned over: its faces would leave with {0}°, {1}° are required. That needs removal directions that the half-turn exchanges.</source>
+        <translation>无法把每隔一个的型腔翻转：其面只能以 {0}° 脱出，而要求为 {1}°。这要求半周旋转能使两个脱模方向互换。</translation>
+    </message>
+    <message>
+        <source>Every second cavity cannot be mirrored: its faces would leave with {0}°, {1}° are required. That needs removal directions in the mirror&apos;s plane.</source>
+        <translation>无法把每隔一个的型腔镜像：其面只能以 {0}° 脱出，而要求为 {1}°。这要求脱模方向位于镜像平面内。</translation>
+    </message>
+    <message>
+        <source>The channels could not be joined to the cavity soundly at any of {0} nearby places. Another pour direction or gate width may help.</source>
+        <translation>在附近 {0} 个位置都无法把通道与型腔可靠地连接。换一个浇注方向或浇口宽度可能有用。</translation>
+    </message>
+    <message>
+        <source>The way from a cavity&apos;s gate to the runner passes through another part of the cavity. Choose another pour direction.</source>
+        <translation>从型腔浇口到流道的路径穿过型腔的另一部分。请选择另一个浇注方向。</translation>
+    </message>
+    <message>
+        <source>Vents need a spout: without one nothing tells which way is up while the mold is filled.</source>
+        <translation>排气孔需要浇道：没有浇道就无法知道浇注时哪边朝上。</translation>
+    </message>
+    <message>
+        <source>There is no room for {0} keys and {1} slits. Ask for fewer or smaller ones.</source>
+        <translation>放不下 {0} 个定位键和 {1} 条撬缝。请减少数量或减小尺寸。</translation>
+    </message>
+    <message>
+        <source>A shrink of {0} % is no shrink of a material: give less than 50 %.</source>
+        <translation>{0} % 不是材料的收缩率：请给出小于 50 % 的值。</translation>
+    </message>
+    <message>
+        <source>The parting face could not be built: features meet in the parting plane.</source>
+        <translation>无法生成分型面：各特征在分型面上相交。</translation>
+    </message>
+    <message>
+        <source>A wall at the parting plane would have to lie flat to leave along the removal directions with {0}°.</source>
+        <translation>分型面处的壁须完全放平，才能沿脱模方向以 {0}° 脱出。</translation>
+    </message>
+    <message>
+        <source>A channel {0} mm deep closes before its floor: it is too narrow for the lean that its walls need.</source>
+        <translation>深 {0} mm 的通道在到底之前就已合拢：按壁所需的斜度，它太窄了。</translation>
     </message>
 </context>
 <context>
@@ -3464,6 +3512,21 @@
     <message>
         <source>The search for pins was cancelled.</source>
         <translation>固定点的搜索已取消。</translation>
+    </message>
+</context>
+<context>
+    <name>Materials</name>
+    <message>
+        <source>{0}: the numbers of the material {1} cannot be right.</source>
+        <translation>{0}：材料 {1} 的数值不可能正确。</translation>
+    </message>
+    <message>
+        <source>{0} is not a table of materials: {1}.</source>
+        <translation>{0} 不是材料表：{1}。</translation>
+    </message>
+    <message>
+        <source>There is no material {0}. Known are: {1}.</source>
+        <translation>没有材料 {0}。已知的有：{1}。</translation>
     </message>
 </context>
 </TS>
