@@ -7,6 +7,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -197,12 +198,11 @@ QWidget* StartPage::makeLeft(QAction* open, QAction* tour) {
     auto* recentTitle = new QLabel(tr("Recent"), m_recentHead);
     recentTitle->setFont(fontOf(left, 15, true));
     head->addWidget(recentTitle, 1);
-    auto* clear = new QLabel(
-        QStringLiteral("<a href=\"#\" style=\"text-decoration:none\">%1</a>").arg(tr("Clear list")),
-        m_recentHead);
-    clear->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    head->addWidget(clear);
-    connect(clear, &QLabel::linkActivated, this, &StartPage::clearRecent);
+    m_clear = new QLabel(m_recentHead);
+    m_clear->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    writeClearLink();
+    head->addWidget(m_clear);
+    connect(m_clear, &QLabel::linkActivated, this, &StartPage::clearRecent);
     column->addWidget(m_recentHead);
     m_recent = new QVBoxLayout;
     m_recent->setSpacing(6);
@@ -258,6 +258,18 @@ void StartPage::arrangeCards() {
 void StartPage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     arrangeCards();
+}
+
+void StartPage::writeClearLink() {
+    m_clear->setText({}); // the same text again would keep its colour
+    m_clear->setText(
+        QStringLiteral("<a href=\"#\" style=\"text-decoration:none\">%1</a>").arg(tr("Clear list")));
+}
+
+void StartPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_clear)
+        writeClearLink(); // a link keeps the colour it was written in
 }
 
 void StartPage::setRecent(const std::vector<RecentFile>& files) {

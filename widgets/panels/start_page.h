@@ -46,15 +46,18 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     QWidget* makeLeft(QAction* open, QAction* tour);
     QWidget* makeRight(const std::vector<SampleCard>& samples);
     void arrangeCards();
+    void writeClearLink();
 
     QGridLayout* m_grid = nullptr;
     QVBoxLayout* m_recent = nullptr;
     QWidget* m_recentHead = nullptr;
+    QLabel* m_clear = nullptr;
     std::vector<QWidget*> m_cards;
 };
 
