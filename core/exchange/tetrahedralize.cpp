@@ -3,6 +3,7 @@
 
 #include "exchange/wire.h"
 #include "exchange/worker_client.h"
+#include "mesh/insert_point.h"
 #include "mesh/measures.h"
 
 #include <Eigen/Geometry>
@@ -128,19 +129,8 @@ Result<TetMesh> checked(TetMesh tets, const IndexedMesh& surface, const Points& 
     return tets;
 }
 
-} // namespace
-
-std::vector<int> innerPoints(const TetMesh& tets, int surfacePoints, const Points& inside) {
-    std::vector<int> found(static_cast<std::size_t>(inside.rows()), -1);
-    for (Eigen::Index i = 0; i < inside.rows(); ++i)
-        for (Eigen::Index v = surfacePoints; v < tets.V.rows(); ++v)
-            if (tets.V.row(v) == inside.row(i))
-                found[static_cast<std::size_t>(i)] = static_cast<int>(v);
-    return found;
-}
-
-Result<TetMesh> tetrahedralize(const IndexedMesh& surface, const Task& task, const std::string& switches,
-                               const Points& inside) {
+Result<TetMesh> askTetGen(const IndexedMesh& surface, const Task& task, const std::string& switches,
+                          const Points& inside) {
     WireWriter request;
     request.text(inside.rows() > 0 ? switches + "i" : switches);
     request.matrix(surface.V);
@@ -159,6 +149,32 @@ Result<TetMesh> tetrahedralize(const IndexedMesh& surface, const Task& task, con
     if (!reader.whole())
         return wrongAnswer(MW_TEXT("exchange", "The worker program's answer is incomplete."));
     return checked(std::move(tets), surface, inside);
+}
+
+} // namespace
+
+std::vector<int> innerPoints(const TetMesh& tets, int surfacePoints, const Points& inside) {
+    std::vector<int> found(static_cast<std::size_t>(inside.rows()), -1);
+    for (Eigen::Index i = 0; i < inside.rows(); ++i)
+        for (Eigen::Index v = surfacePoints; v < tets.V.rows(); ++v)
+            if (tets.V.row(v) == inside.row(i))
+                found[static_cast<std::size_t>(i)] = static_cast<int>(v);
+    return found;
+}
+
+Result<TetMesh> tetrahedralize(const IndexedMesh& surface, const Task& task, const std::string& switches,
+                               const Points& inside) {
+    Result<TetMesh> tets = askTetGen(surface, task, switches, inside);
+    if (tets || inside.rows() == 0 || tets.error().code != ErrorCode::Worker || task.stopped())
+        return tets;
+    // TetGen crashes on some points inside of surfaces that it fills well without.
+    Result<TetMesh> without = askTetGen(surface, task, switches, Points(0, 3));
+    if (!without)
+        return tets;
+    for (const auto& point : inside.rowwise())
+        if (!insertPoint(*without, point.transpose()))
+            return tets;
+    return checked(std::move(*without), surface, inside);
 }
 
 } // namespace moldwright

@@ -17,7 +17,8 @@ inline constexpr const char* kTetGenSwitches = "pYq1.414";
 /// memory and time. `switches` are TetGen's; pYq1.414 keeps the surface as it is. The answer is checked:
 /// there are tetrahedra, all positive after orientation, their volumes sum to the surface's within 1e-6, the
 /// surface points come first and unmoved, every surface face is a face of exactly one tetrahedron. Points
-/// `inside` (n×3, strictly inside) become points of tetrahedra too, somewhere behind those of the surface.
+/// `inside` (n×3, strictly inside) become points of tetrahedra too, somewhere behind those of the surface: by
+/// TetGen, or where it fails at them by insertPoint().
 /// Precondition: closed, outward, free of self-intersection, size about 1. Errors: Worker, Cancelled.
 [[nodiscard]] Result<TetMesh> tetrahedralize(const IndexedMesh& surface, const Task& task = {},
                                              const std::string& switches = kTetGenSwitches,
