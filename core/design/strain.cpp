@@ -18,6 +18,7 @@ namespace moldwright {
 namespace {
 
 constexpr double kPercentile = 0.01;
+constexpr double kNeedle = 1e-3; ///< height over longest edge below which a face has no shape to speak of
 
 /// A face's edges from its first corner, in a frame of its own plane.
 Eigen::Matrix2d edgesInPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -43,6 +44,11 @@ Stretch stretchOf(const std::array<Eigen::Vector3d, 3>& before, const IndexedMes
     const Eigen::Matrix2d F = edgesInPlane(cast.corner(f, 0), cast.corner(f, 1), cast.corner(f, 2)) *
                               edgesInPlane(before[0], before[1], before[2]).inverse();
     return {F.jacobiSvd().singularValues(), area};
+}
+
+bool isNeedle(const std::array<Eigen::Vector3d, 3>& x) {
+    const double longest = std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()});
+    return (x[1] - x[0]).cross(x[2] - x[0]).norm() <= kNeedle * longest * longest;
 }
 
 /// The value below which `share` of the weight lies.
@@ -110,9 +116,9 @@ SurfaceStrain surfaceStrain(const IndexedMesh& before, const IndexedMesh& cast,
         for (int k = 0; k < 3; ++k)
             x[static_cast<std::size_t>(k)] =
                 before.point(sourceVertex[static_cast<std::size_t>(cast.F(f, k))]);
-        const auto& [sigma, area] = stretchOf(x, cast, f);
-        if (!(area > 0))
+        if (isNeedle(x))
             continue;
+        const auto& [sigma, area] = stretchOf(x, cast, f);
         squares += area * (sigma.array() - 1).square().sum();
         whole += area;
         high.emplace_back(sigma[0], area);

@@ -20,7 +20,8 @@ struct SurfaceStrain {
 [[nodiscard]] std::vector<double> faceStrains(const Points& before, const IndexedMesh& cast);
 
 /// Strain from `before` to `cast`; `sourceVertex`: the point of `before` that each point of cast was. Faces
-/// without area before are left out.
+/// that were needles before, a thousandth as high as long, are left out: what they would measure is how the
+/// clean-up joined their points.
 [[nodiscard]] SurfaceStrain surfaceStrain(const IndexedMesh& before, const IndexedMesh& cast,
                                           const std::vector<int>& sourceVertex);
 

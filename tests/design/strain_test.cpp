@@ -66,6 +66,18 @@ TEST(Strain, EachFaceTellsItsOwn) {
     EXPECT_EQ(faceStrains(flat, longer)[0], 0) << "a face without area before";
 }
 
+TEST(Strain, NeedlesTellNothingOfTheShape) {
+    // A square's diagonal has a point on it, all but: the needle between them opens a little.
+    IndexedMesh square{Points(5, 3), Triangles(4, 3)};
+    square.V << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5 - 1e-9, 0;
+    square.F << 0, 1, 4, 1, 2, 4, 0, 4, 2, 0, 2, 3;
+    IndexedMesh opened = square;
+    opened.V(4, 1) = 0.49;
+    const SurfaceStrain strain = surfaceStrain(square, opened, same(square));
+    EXPECT_GT(strain.rms, 0.001);
+    EXPECT_LT(strain.rms, 0.1);
+}
+
 TEST(Strain, ADentMakesTheSurfaceRougher) {
     const IndexedMesh ball = test::sphere({0, 0, 0}, 5, 3);
     IndexedMesh dented = ball;
