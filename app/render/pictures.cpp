@@ -26,15 +26,6 @@ scene::SceneColours onPaper() {
     return colours;
 }
 
-std::vector<Rgb> redWhere(const std::vector<std::uint8_t>& faces) {
-    const scene::SceneColours colours = onPaper();
-    std::vector<Rgb> result;
-    result.reserve(faces.size());
-    for (const std::uint8_t bad : faces)
-        result.push_back(bad ? colours.undercut : colours.part);
-    return result;
-}
-
 std::vector<Rgb> byDraft(const std::vector<double>& draft, double required) {
     std::vector<Rgb> result;
     result.reserve(draft.size());
@@ -108,9 +99,10 @@ Result<void> drawReportPictures(const Project& project, const Evaluation& evalua
     };
     Result<void> done;
     if (project.part)
-        done =
-            picture(project.part, evaluation.part ? redWhere(evaluation.part->violating) : std::vector<Rgb>{},
-                    fromFrontRight, partPicture);
+        done = picture(project.part,
+                       evaluation.part ? scene::undercutColours(evaluation.part->violating, onPaper())
+                                       : std::vector<Rgb>{},
+                       fromFrontRight, partPicture);
     if (done && project.cast) {
         done = picture(project.cast->mesh, {}, fromFrontRight, castPicture);
         if (done && evaluation.cast)

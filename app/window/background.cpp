@@ -5,16 +5,10 @@
 
 namespace moldwright {
 
-Background::Background(QObject* parent) : QObject(parent) {
-    m_thread.setObjectName(QStringLiteral("job"));
-    m_place.moveToThread(&m_thread);
-    m_thread.start();
-}
+Background::Background(QObject* parent) : QObject(parent), m_thread(QStringLiteral("job")) {}
 
 Background::~Background() {
     m_task.cancel();
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void Background::start(const QString& words, Work work) {
@@ -28,7 +22,7 @@ void Background::start(const QString& words, Work work) {
         });
     });
     Q_EMIT started();
-    QMetaObject::invokeMethod(&m_place, [this, work = std::move(work), task = m_task] {
+    m_thread.post([this, work = std::move(work), task = m_task] {
         Finish finish;
         try {
             finish = work(task);

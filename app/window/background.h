@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/task.h"
+#include "window/work_thread.h"
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QThread>
 
 #include <functional>
 
@@ -40,12 +40,11 @@ Q_SIGNALS:
     void failed(const QString& what);
 
 private:
-    QThread m_thread;
-    QObject m_place; ///< lives on the thread
     Task m_task;
     QString m_words;
     QElapsedTimer m_clock;
     bool m_busy = false;
+    WorkThread m_thread;
 };
 
 } // namespace moldwright

@@ -13,11 +13,7 @@ constexpr std::chrono::milliseconds quiet(120);
 
 } // namespace
 
-LiveAnalysis::LiveAnalysis(QObject* parent) : QObject(parent) {
-    m_thread.setObjectName(QStringLiteral("analysis"));
-    m_place.moveToThread(&m_thread);
-    m_thread.start();
-}
+LiveAnalysis::LiveAnalysis(QObject* parent) : QObject(parent), m_thread(QStringLiteral("analysis")) {}
 
 LiveAnalysis::~LiveAnalysis() {
     {
@@ -25,8 +21,6 @@ LiveAnalysis::~LiveAnalysis() {
         m_ending = true;
     }
     m_asked.notify_all();
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void LiveAnalysis::ask(const AnalysisRequest& request) {
@@ -35,7 +29,7 @@ void LiveAnalysis::ask(const AnalysisRequest& request) {
     m_waiting = request;
     m_asked.notify_all();
     if (asleep)
-        QMetaObject::invokeMethod(&m_place, [this] { work(); });
+        m_thread.post([this] { work(); });
 }
 
 bool LiveAnalysis::somethingNewer() {

@@ -6,9 +6,9 @@
 #include "mesh/indexed_mesh.h"
 #include "scene/drawn_mesh.h"
 #include "scene/surface_picker.h"
+#include "window/work_thread.h"
 
 #include <QObject>
-#include <QThread>
 
 #include <condition_variable>
 #include <memory>
@@ -57,14 +57,13 @@ private:
     [[nodiscard]] bool somethingNewer();
     void answer(AnalysisAnswer answer);
 
-    QThread m_thread;
-    QObject m_place; ///< lives on the thread
     std::mutex m_mutex;
     std::condition_variable m_asked;
     std::optional<AnalysisRequest> m_waiting;
     bool m_ending = false;
     scene::SharedDrawnMesh m_drawn;
     std::shared_ptr<const scene::SurfacePicker> m_picker; ///< of the mesh drawn
+    WorkThread m_thread;
 };
 
 } // namespace moldwright

@@ -68,19 +68,13 @@ FaceMap faceMap(const MapRequest& request) {
     return map;
 }
 
-LiveMaps::LiveMaps(QObject* parent) : QObject(parent) {
-    m_thread.setObjectName(QStringLiteral("maps"));
-    m_place.moveToThread(&m_thread);
-    m_thread.start();
-}
+LiveMaps::LiveMaps(QObject* parent) : QObject(parent), m_thread(QStringLiteral("maps")) {}
 
 LiveMaps::~LiveMaps() {
     {
         const std::lock_guard lock(m_mutex);
         m_waiting.clear();
     }
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void LiveMaps::ask(const MapRequest& request) {
@@ -88,7 +82,7 @@ void LiveMaps::ask(const MapRequest& request) {
         const std::lock_guard lock(m_mutex);
         m_waiting[{request.content, request.mode}] = request;
     }
-    QMetaObject::invokeMethod(&m_place, [this] { work(); });
+    m_thread.post([this] { work(); });
 }
 
 void LiveMaps::work() {

@@ -5,9 +5,9 @@
 #include "project/project.h"
 #include "scene/value_scale.h"
 #include "window/display_mode.h"
+#include "window/work_thread.h"
 
 #include <QObject>
-#include <QThread>
 
 #include <array>
 #include <map>
@@ -64,10 +64,9 @@ private:
 
     void work();
 
-    QThread m_thread;
-    QObject m_place; ///< lives on the thread
     std::mutex m_mutex;
     std::map<Key, MapRequest> m_waiting;
+    WorkThread m_thread;
 };
 
 /// Computes a map. Precondition: a cast where the mode needs one.

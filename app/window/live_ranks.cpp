@@ -5,19 +5,13 @@
 
 namespace moldwright {
 
-LiveRanks::LiveRanks(QObject* parent) : QObject(parent) {
-    m_thread.setObjectName(QStringLiteral("ranks"));
-    m_place.moveToThread(&m_thread);
-    m_thread.start();
-}
+LiveRanks::LiveRanks(QObject* parent) : QObject(parent), m_thread(QStringLiteral("ranks")) {}
 
 LiveRanks::~LiveRanks() {
     {
         const std::lock_guard lock(m_mutex);
         m_waiting.reset();
     }
-    m_thread.quit();
-    m_thread.wait();
 }
 
 void LiveRanks::ask(const RankRequest& request) {
@@ -25,7 +19,7 @@ void LiveRanks::ask(const RankRequest& request) {
         const std::lock_guard lock(m_mutex);
         m_waiting = request;
     }
-    QMetaObject::invokeMethod(&m_place, [this] { work(); });
+    m_thread.post([this] { work(); });
 }
 
 void LiveRanks::work() {

@@ -4,9 +4,9 @@
 #include "castability/mold_state.h"
 #include "mesh/indexed_mesh.h"
 #include "pins/suggested_pins.h"
+#include "window/work_thread.h"
 
 #include <QObject>
-#include <QThread>
 
 #include <memory>
 #include <mutex>
@@ -41,10 +41,9 @@ Q_SIGNALS:
 private:
     void work();
 
-    QThread m_thread;
-    QObject m_place; ///< lives on the thread
     std::mutex m_mutex;
     std::optional<RankRequest> m_waiting;
+    WorkThread m_thread;
 };
 
 } // namespace moldwright

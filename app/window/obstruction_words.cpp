@@ -2,6 +2,7 @@
 #include "window/obstruction_words.h"
 
 #include "theme/theme.h"
+#include "window/row_id.h"
 
 #include <QCoreApplication>
 
@@ -60,8 +61,7 @@ QString obstructionId(int number) {
 }
 
 int obstructionNumber(const QString& id) {
-    const QString before = u"obstruction-"_s;
-    return id.startsWith(before) ? id.mid(before.size()).toInt() : -1;
+    return numberAfter(u"obstruction-"_s, id);
 }
 
 } // namespace moldwright

@@ -5,6 +5,7 @@
 #include "theme/theme.h"
 #include "window/action_table.h"
 #include "window/presentation.h"
+#include "window/row_id.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -98,8 +99,7 @@ QString pinId(int number) {
 }
 
 int pinNumber(const QString& id) {
-    const QString before = u"pin-"_s;
-    return id.startsWith(before) ? id.mid(before.size()).toInt() : -1;
+    return numberAfter(u"pin-"_s, id);
 }
 
 bool pinsChosen(const QString& selected) {

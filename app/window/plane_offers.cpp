@@ -47,10 +47,7 @@ std::vector<PlaneCandidate> workablePlanes(const IndexedMesh& part, const Design
 scene::SmallPicture pictureOf(const IndexedMesh& part, const MoldState& state, double draftDegrees,
                               const scene::SceneColours& colours) {
     const DraftAnalysis analysis = analyzeDraft(part, state, draftDegrees, false);
-    std::vector<scene::Rgb> faces;
-    faces.reserve(analysis.violating.size());
-    for (const std::uint8_t bad : analysis.violating)
-        faces.push_back(bad ? colours.undercut : colours.part);
+    const std::vector<scene::Rgb> faces = scene::undercutColours(analysis.violating, colours);
     const scene::PlaneRectangle plane = scene::planeRectangle(state.plane, part.V);
     std::vector<Eigen::Vector3d> inSight = scene::cornersOf(boundingBox(part));
     for (const auto& [s, t] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})

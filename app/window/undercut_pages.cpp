@@ -4,6 +4,7 @@
 #include "theme/theme.h"
 #include "window/action_table.h"
 #include "window/presentation.h"
+#include "window/row_id.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -74,8 +75,7 @@ QString undercutId(int number) {
 }
 
 int undercutNumber(const QString& id) {
-    const QString before = u"undercut-"_s;
-    return id.startsWith(before) ? id.mid(before.size()).toInt() : -1;
+    return numberAfter(u"undercut-"_s, id);
 }
 
 void addUndercutRows(std::vector<ProjectRow>& rows, int parent, const Workbench& bench) {
@@ -159,12 +159,12 @@ void fillUndercutPage(PropertyPanel& panel, const Workbench& bench) {
 }
 
 bool applyTreatment(Workbench& bench, const QString& id, int choice) {
-    const QString before = u"treatment-"_s;
-    if (!id.startsWith(before))
+    const int number = numberAfter(u"treatment-"_s, id);
+    if (number < 0)
         return false;
-    bench.treat(id.mid(before.size()).toInt(), choice == 0   ? std::nullopt
-                                               : choice == 1 ? std::optional(Treatment::Bend)
-                                                             : std::optional(Treatment::Fill));
+    bench.treat(number, choice == 0   ? std::nullopt
+                        : choice == 1 ? std::optional(Treatment::Bend)
+                                      : std::optional(Treatment::Fill));
     return true;
 }
 

@@ -150,8 +150,8 @@ double ElasticBody::overBlocks(const Positions* X, Positions* out, const PerBloc
                 double* o = out->col(i).data();
                 const double* push = pushes.col(i).data();
                 for (std::size_t v = begin; v < end; ++v)
-                    for (int p = m_placesStart[v]; p < m_placesStart[v + 1]; ++p)
-                        o[v] += push[m_places[static_cast<std::size_t>(p)]];
+                    for (int p = m_places.start[v]; p < m_places.start[v + 1]; ++p)
+                        o[v] += push[m_places.members[static_cast<std::size_t>(p)]];
             }
         });
     double sum = 0;

@@ -94,8 +94,14 @@ private:
     };
     struct BlockNumbers;
 
+    /// Numbers in groups: those of group g are members[start[g]] … members[start[g + 1] − 1], ascending.
+    struct Groups {
+        std::vector<int> start;
+        std::vector<int> members;
+    };
+    static Groups grouped(const std::vector<int>& groupOf, std::size_t groups);
+
     void addBlock(const BodyShape& shape, bool faces, std::span<const int> elements);
-    void indexPlaces();
     void makePattern();
     void indexTerms();
     void fillLaplacian();
@@ -122,11 +128,9 @@ private:
     std::vector<int> m_elementOfLane; ///< −1 for an idle lane
     std::vector<int> m_laneOf;
     std::vector<int> m_pointOfPlace;
-    std::vector<int> m_placesStart; ///< of each point, into m_places
-    std::vector<int> m_places;      ///< places of each point, ascending
+    Groups m_places; ///< of each point
     Eigen::SparseMatrix<double> m_laplacian;
-    std::vector<int> m_termsStart; ///< of each entry of the Laplacian, into m_terms
-    std::vector<int> m_terms;      ///< what is added to it: pairs of corners of all lanes in turn, ascending
+    Groups m_terms; ///< of each entry of the Laplacian: pairs of corners, those of all lanes in turn
 };
 
 /// Cotangent Laplacian of a surface, lower triangle, positive semidefinite, n×n with n = V.rows(): Σ area

@@ -97,7 +97,7 @@ ElasticBody::ElasticBody(const BodyShape& shape)
         for (std::size_t i = 0; i < faces.size(); i += kBlockElements)
             addBlock(shape, true, std::span(faces).subspan(i, std::min(kBlockElements, faces.size() - i)));
     }
-    indexPlaces();
+    m_places = grouped(m_pointOfPlace, static_cast<std::size_t>(m_points));
     makePattern();
     setRest(shape.V, shape.tetWeights);
 }
@@ -130,16 +130,21 @@ void ElasticBody::addBlock(const BodyShape& shape, bool faces, std::span<const i
     m_blocks.push_back(block);
 }
 
-void ElasticBody::indexPlaces() {
-    m_placesStart.assign(static_cast<std::size_t>(m_points) + 1, 0);
-    for (const int point : m_pointOfPlace)
-        ++m_placesStart[static_cast<std::size_t>(point) + 1];
-    std::partial_sum(m_placesStart.begin(), m_placesStart.end(), m_placesStart.begin());
-    std::vector<int> next(m_placesStart.begin(), m_placesStart.end() - 1);
-    m_places.resize(m_pointOfPlace.size());
-    for (std::size_t place = 0; place < m_pointOfPlace.size(); ++place)
-        m_places[static_cast<std::size_t>(next[static_cast<std::size_t>(m_pointOfPlace[place])]++)] =
-            static_cast<int>(place);
+/// Sorts numbers by group: the groups of 0 … n−1 are `groupOf`, −1 for numbers that belong to none.
+ElasticBody::Groups ElasticBody::grouped(const std::vector<int>& groupOf, std::size_t groups) {
+    Groups result;
+    result.start.assign(groups + 1, 0);
+    for (const int group : groupOf)
+        if (group >= 0)
+            ++result.start[static_cast<std::size_t>(group) + 1];
+    std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
+    std::vector<int> next(result.start.begin(), result.start.end() - 1);
+    result.members.resize(static_cast<std::size_t>(result.start.back()));
+    for (std::size_t i = 0; i < groupOf.size(); ++i)
+        if (const int group = groupOf[i]; group >= 0)
+            result.members[static_cast<std::size_t>(next[static_cast<std::size_t>(group)]++)] =
+                static_cast<int>(i);
+    return result;
 }
 
 template <class PerLane>
@@ -230,17 +235,7 @@ void ElasticBody::indexTerms() {
                 static_cast<int>(std::lower_bound(row + start[low], row + start[low + 1], high) - row);
         }
     });
-    m_termsStart.assign(static_cast<std::size_t>(m_laplacian.nonZeros()) + 1, 0);
-    for (const int entry : entryOfTerm)
-        if (entry >= 0)
-            ++m_termsStart[static_cast<std::size_t>(entry) + 1];
-    std::partial_sum(m_termsStart.begin(), m_termsStart.end(), m_termsStart.begin());
-    m_terms.resize(static_cast<std::size_t>(m_termsStart.back()));
-    std::vector<int> next(m_termsStart.begin(), m_termsStart.end() - 1);
-    for (std::size_t term = 0; term < entryOfTerm.size(); ++term)
-        if (const int entry = entryOfTerm[term]; entry >= 0)
-            m_terms[static_cast<std::size_t>(next[static_cast<std::size_t>(entry)]++)] =
-                static_cast<int>(term);
+    m_terms = grouped(entryOfTerm, static_cast<std::size_t>(m_laplacian.nonZeros()));
 }
 
 void ElasticBody::fillLaplacian() {
@@ -256,11 +251,11 @@ void ElasticBody::fillLaplacian() {
                 batch.weight[lane % L] * g.row(kPairs[pair][0]).dot(g.row(kPairs[pair][1]));
     });
     double* value = m_laplacian.valuePtr();
-    parallelFor(m_termsStart.size() - 1, kEntryGrain, [&](std::size_t begin, std::size_t end) {
+    parallelFor(m_terms.start.size() - 1, kEntryGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t entry = begin; entry < end; ++entry) {
             value[entry] = 0;
-            for (int i = m_termsStart[entry]; i < m_termsStart[entry + 1]; ++i)
-                value[entry] += terms[static_cast<std::size_t>(m_terms[static_cast<std::size_t>(i)])];
+            for (int i = m_terms.start[entry]; i < m_terms.start[entry + 1]; ++i)
+                value[entry] += terms[static_cast<std::size_t>(m_terms.members[static_cast<std::size_t>(i)])];
         }
     });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "exchange/polygon_soup.h"
 
+#include "mesh/point_rows.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -114,9 +116,7 @@ std::vector<Triangle> triangulatedRing(const std::vector<Eigen::Vector3d>& point
 
 IndexedMesh triangulated(const PolygonSoup& soup) {
     IndexedMesh mesh;
-    mesh.V.resize(static_cast<Eigen::Index>(soup.points.size()), 3);
-    for (std::size_t v = 0; v < soup.points.size(); ++v)
-        mesh.V.row(static_cast<Eigen::Index>(v)) = soup.points[v].transpose();
+    mesh.V = pointRows(soup.points);
     // A polygon of n corners has n − 2 triangles; corners of one that was never ended make none.
     mesh.F.resize(soup.firstCorner.back() - 2L * soup.polygonCount(), 3);
     Eigen::Index f = 0;

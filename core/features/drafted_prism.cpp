@@ -3,6 +3,7 @@
 
 #include "features/cgal/constrained_triangulation.h"
 #include "features/wall_slope.h"
+#include "mesh/point_rows.h"
 #include "mesh/weld.h"
 
 #include <algorithm>
@@ -102,9 +103,7 @@ public:
     }
     [[nodiscard]] IndexedMesh mesh() const {
         IndexedMesh mesh;
-        mesh.V.resize(static_cast<Eigen::Index>(m_points.size()), 3);
-        for (std::size_t v = 0; v < m_points.size(); ++v)
-            mesh.V.row(static_cast<Eigen::Index>(v)) = m_points[v].transpose();
+        mesh.V = pointRows(m_points);
         mesh.F.resize(static_cast<Eigen::Index>(m_faces.size()), 3);
         for (std::size_t f = 0; f < m_faces.size(); ++f)
             mesh.F.row(static_cast<Eigen::Index>(f)) = m_faces[f];

@@ -2,6 +2,7 @@
 #include "fill/choice_mesh.h"
 
 #include "fill/mesh_difference.h"
+#include "mesh/point_rows.h"
 #include "mesh/union_find.h"
 
 #include <Eigen/Geometry>
@@ -210,9 +211,7 @@ PartedMesh surfaceWith(const ChoiceMesh& choices, const std::vector<char>& fille
     }
     dropDoubled(choices, choiceOf);
     PartedMesh surface;
-    surface.mesh.V.resize(static_cast<Eigen::Index>(choices.points.size()), 3);
-    for (std::size_t v = 0; v < choices.points.size(); ++v)
-        surface.mesh.V.row(static_cast<Eigen::Index>(v)) = choices.points[v].transpose();
+    surface.mesh.V = pointRows(choices.points);
     surface.mesh.F.resize(static_cast<Eigen::Index>(choiceOf.size()), 3);
     for (std::size_t i = 0; i < choiceOf.size(); ++i) {
         const ChoiceFace& face = choices.faces[static_cast<std::size_t>(choiceOf[i])];

@@ -264,7 +264,7 @@ bool isClosedManifold(const ChoiceMesh& choices, const std::vector<char>& filled
 
 } // namespace
 
-bool divideRegion(ChoiceMesh& choices, int region, const DividingPlane& plane) {
+bool divideRegion(ChoiceMesh& choices, int region, const DividingPlane& plane, const CutCheck& check) {
     Cut cut(choices, region, plane);
     if (!cut.divide())
         return false;
@@ -272,6 +272,8 @@ bool divideRegion(ChoiceMesh& choices, int region, const DividingPlane& plane) {
     for (const char filled : {0, 1})
         if (!isClosedManifold(divided, std::vector<char>(static_cast<std::size_t>(divided.regions), filled)))
             return false;
+    if (check && !check(divided, region, divided.regions - 1))
+        return false;
     choices = std::move(divided);
     return true;
 }

@@ -3,6 +3,8 @@
 
 #include "fill/choice_mesh.h"
 
+#include <functional>
+
 namespace moldwright {
 
 /// A plane x·normal = offset; unit normal.
@@ -13,9 +15,12 @@ struct DividingPlane {
                             ///< side they look at
 };
 
+/// Whether a cut between two regions may stay.
+using CutCheck = std::function<bool(const ChoiceMesh& choices, int region, int beyond)>;
+
 /// Divides a region by a plane: the part of its space beyond it becomes the last region. Faces are cut along
 /// the plane. Returns false, with nothing changed, where the plane does not cut the space into two clean
-/// parts.
-bool divideRegion(ChoiceMesh& choices, int region, const DividingPlane& plane);
+/// parts, or `check` is against it.
+bool divideRegion(ChoiceMesh& choices, int region, const DividingPlane& plane, const CutCheck& check = {});
 
 } // namespace moldwright

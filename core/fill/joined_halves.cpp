@@ -3,6 +3,7 @@
 
 #include "fill/cgal/planar_triangulation.h"
 #include "fill/outlines.h"
+#include "mesh/point_rows.h"
 
 #include <algorithm>
 #include <map>
@@ -228,9 +229,7 @@ void Body::addCaps(const std::vector<Cap>& caps) {
 
 PartedMesh Body::take() const {
     PartedMesh result;
-    result.mesh.V.resize(static_cast<Eigen::Index>(m_points.size()), 3);
-    for (std::size_t v = 0; v < m_points.size(); ++v)
-        result.mesh.V.row(static_cast<Eigen::Index>(v)) = m_points[v].transpose();
+    result.mesh.V = pointRows(m_points);
     result.mesh.F.resize(static_cast<Eigen::Index>(m_faces.size()), 3);
     for (std::size_t f = 0; f < m_faces.size(); ++f)
         result.mesh.F.row(static_cast<Eigen::Index>(f)) << m_faces[f][0], m_faces[f][1], m_faces[f][2];

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "fill/necks.h"
 
-#include "fill/divide_region.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 namespace moldwright {
 
@@ -139,17 +136,6 @@ bool isUp(const Shell& shell) {
     return sum > 0;
 }
 
-/// Divides a region unless the check is against it.
-bool cutAt(ChoiceMesh& choices, int region, const DividingPlane& plane, const CutCheck& check) {
-    if (!check)
-        return divideRegion(choices, region, plane);
-    ChoiceMesh divided = choices;
-    if (!divideRegion(divided, region, plane) || !check(divided, region, divided.regions - 1))
-        return false;
-    choices = std::move(divided);
-    return true;
-}
-
 } // namespace
 
 void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions, double longest,
@@ -174,7 +160,7 @@ void divideAtNecks(ChoiceMesh& choices, int region, const Directions& directions
         if (extent.length() <= longest)
             continue;
         for (const double place : placesToCut(shell, extent))
-            if (cutAt(choices, piece, {extent.way, place, side}, check)) {
+            if (divideRegion(choices, piece, {extent.way, place, side}, check)) {
                 const int beyond = choices.regions - 1;
                 separate(piece);
                 separate(beyond);

@@ -2,14 +2,9 @@
 #pragma once
 
 #include "base/task.h"
-#include "fill/choice_mesh.h"
-
-#include <functional>
+#include "fill/divide_region.h"
 
 namespace moldwright {
-
-/// Whether a cut between two regions may stay.
-using CutCheck = std::function<bool(const ChoiceMesh& choices, int region, int beyond)>;
 
 /// Divides a region where it is narrow: first by the parting plane, then by planes along the side's
 /// direction, across its longest extent where least of it is cut, until nothing is longer than `longest` that

@@ -3,6 +3,7 @@
 
 #include "features/cgal/constrained_triangulation.h"
 #include "mesh/edge_table.h"
+#include "mesh/point_rows.h"
 #include "mesh/weld.h"
 
 #include <algorithm>
@@ -48,9 +49,7 @@ public:
             if (!addFlat(m_flats[i], segments[i]))
                 return std::nullopt;
         IndexedMesh flats;
-        flats.V.resize(static_cast<Eigen::Index>(m_points.size()), 3);
-        for (std::size_t v = 0; v < m_points.size(); ++v)
-            flats.V.row(static_cast<Eigen::Index>(v)) = m_points[v].transpose();
+        flats.V = pointRows(m_points);
         flats.F.resize(static_cast<Eigen::Index>(m_faces.size()), 3);
         for (std::size_t f = 0; f < m_faces.size(); ++f)
             flats.F.row(static_cast<Eigen::Index>(f)) = m_faces[f];

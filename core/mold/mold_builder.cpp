@@ -103,6 +103,9 @@ Result<void> MoldBuilder::layOut() {
         room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.layout.spacing + 1);
         for (const CavityKind& kind : m_kinds)
             m_gates.push_back(gatesOf(kind.cast, kind.labels, Vector2d::UnitY(), m_widths.gate));
+        for (std::size_t kind = 0; settings.vents.on && kind < m_kinds.size(); ++kind)
+            m_traps.push_back(
+                trapsOf(m_kinds[kind].cast, m_gates[kind], Vector2d::UnitY(), settings.vents.smallestTrap));
     }
     m_layout = layoutOf(m_kinds, settings.layout, room);
     m_mold.cavities = static_cast<int>(m_layout.copies.size());
@@ -128,8 +131,7 @@ Obstacles MoldBuilder::planObstacles(double faceY) const {
             obstacles.push_back(planRectangle({tip.x() - funnel, tip.y()}, {tip.x() + funnel, faceY}));
         }
         if (m_mold.settings.vents.on)
-            for (const AirTrap& trap : trapsOf(m_kinds[copy.kind].cast, m_gates[copy.kind], Vector2d::UnitY(),
-                                               m_mold.settings.vents.smallestTrap)) {
+            for (const AirTrap& trap : m_traps[copy.kind]) {
                 const Vector2d tip = m_kinds[copy.kind].cast.V.row(trap.point).head<2>();
                 const double half = m_mold.settings.vents.diameter;
                 obstacles.push_back(planRectangle({tip.x() - half, tip.y()}, {tip.x() + half, faceY}));
@@ -246,12 +248,9 @@ Result<void> MoldBuilder::join() {
         plan.slope = single() ? std::array{0.0, 0.0} : *slope;
     }
     for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        std::vector<AirTrap> traps;
-        if (settings.vents.on)
-            traps =
-                trapsOf(m_kinds[kind].cast, m_gates[kind], Vector2d::UnitY(), settings.vents.smallestTrap);
         Result<JoinedCavity> joined =
-            joinedCavity(m_kinds[kind], spout().on ? m_gates[kind] : std::vector<Gate>{}, traps, plan);
+            joinedCavity(m_kinds[kind], spout().on ? m_gates[kind] : std::vector<Gate>{},
+                         settings.vents.on ? m_traps[kind] : std::vector<AirTrap>{}, plan);
         if (!joined)
             return std::unexpected(joined.error());
         m_joined.push_back(*std::move(joined));

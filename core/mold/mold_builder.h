@@ -54,7 +54,8 @@ private:
     IndexedMesh m_cast; ///< placed
     SideLabels m_labels;
     std::vector<CavityKind> m_kinds;
-    std::vector<std::vector<Gate>> m_gates;
+    std::vector<std::vector<Gate>> m_gates;    ///< by kind, if there is a spout
+    std::vector<std::vector<AirTrap>> m_traps; ///< by kind, if there are vents
     Layout m_layout;
     Block m_block;
     std::vector<Eigen::Vector2d> m_keyPlaces;

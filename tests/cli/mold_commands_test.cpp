@@ -36,6 +36,29 @@ protected:
         return in("project.moldwright");
     }
 
+    /// Verifies the files of a mold in the folder "out", in the directions that its JSON tells.
+    test::Run verified(const Json& mold) const {
+        std::vector<std::string> words = {"verify",
+                                          in("out/mold-cast.stl"),
+                                          "--plane",
+                                          "0",
+                                          "0",
+                                          "1",
+                                          "0",
+                                          "--half1",
+                                          in("out/mold-half-1.stl"),
+                                          "--half2",
+                                          in("out/mold-half-2.stl"),
+                                          "--json",
+                                          "-"};
+        for (const char* d : {"d1", "d2"}) {
+            words.push_back(std::string("--") + d);
+            for (const Json& x : mold[d])
+                words.push_back(x.dump());
+        }
+        return test::runProgram(words);
+    }
+
     test::ScratchFolder m_folder;
     test::KnownCast m_box = test::frusta(20, 10, 5, 3, 0.1);
 };
@@ -77,25 +100,7 @@ TEST_F(MoldCommands, MoldWritesHalvesThatVerify) {
     const Json json = Json::parse(run.out);
     EXPECT_EQ(json["verified"], true);
     EXPECT_GE(json["min_wall"].get<double>(), 7 - 1e-6);
-    std::vector<std::string> verify = {"verify",
-                                       in("out/mold-cast.stl"),
-                                       "--plane",
-                                       "0",
-                                       "0",
-                                       "1",
-                                       "0",
-                                       "--half1",
-                                       in("out/mold-half-1.stl"),
-                                       "--half2",
-                                       in("out/mold-half-2.stl"),
-                                       "--json",
-                                       "-"};
-    for (const char* d : {"d1", "d2"}) {
-        verify.push_back(std::string("--") + d);
-        for (const Json& x : json[d])
-            verify.push_back(x.dump());
-    }
-    const test::Run proof = test::runProgram(verify);
+    const test::Run proof = verified(json);
     EXPECT_EQ(proof.exitCode, 0) << proof.err << proof.out;
     EXPECT_EQ(Json::parse(proof.out)["halves"][1]["free_to_move"], true);
 }
@@ -159,23 +164,7 @@ TEST_F(MoldCommands, MoldWithAllItsFeaturesVerifies) {
                 json["block_volume"].get<double>(), 1e-6 * json["block_volume"].get<double>());
     for (const char* name : {"mold-half-1.obj", "mold-cast.ply", "mold-plan.svg", "mold-section-x.dxf"})
         EXPECT_TRUE(std::filesystem::file_size(in(std::string("out/") + name)) > 200) << name;
-    std::vector<std::string> verify = {"verify",
-                                       in("out/mold-cast.stl"),
-                                       "--plane",
-                                       "0",
-                                       "0",
-                                       "1",
-                                       "0",
-                                       "--half1",
-                                       in("out/mold-half-1.stl"),
-                                       "--half2",
-                                       in("out/mold-half-2.stl")};
-    for (const char* d : {"d1", "d2"}) {
-        verify.push_back(std::string("--") + d);
-        for (const Json& x : json[d])
-            verify.push_back(x.dump());
-    }
-    EXPECT_EQ(test::runProgram(verify).exitCode, 0) << "the files as they were written";
+    EXPECT_EQ(verified(json).exitCode, 0) << "the files as they were written";
 }
 
 TEST_F(MoldCommands, OtherProgramsFindNoFaultInTheHalves) {

@@ -64,6 +64,14 @@ const std::array<Rgb, 7>& draftClassColours() {
     return colours;
 }
 
+std::vector<Rgb> undercutColours(const std::vector<std::uint8_t>& violating, const SceneColours& colours) {
+    std::vector<Rgb> result;
+    result.reserve(violating.size());
+    for (const std::uint8_t bad : violating)
+        result.push_back(bad ? colours.undercut : colours.part);
+    return result;
+}
+
 int draftClass(double degrees, double required) {
     // A required draft above 3° or 10° leaves its upper classes empty instead of reversing them.
     const std::array<double, 6> edges = {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace moldwright::scene {
 
@@ -55,6 +56,10 @@ struct SceneColours {
 /// Draft classes about the required draft, worst first: below −15°, −15 to −5, −5 to 0, 0 to required,
 /// required to 3, 3 to 10, above. Lightness rises all the way, so that a grey print reads.
 [[nodiscard]] const std::array<Rgb, 7>& draftClassColours();
+
+/// A colour per face: that of undercuts where `violating` is 1, else the part's.
+[[nodiscard]] std::vector<Rgb> undercutColours(const std::vector<std::uint8_t>& violating,
+                                               const SceneColours& colours);
 
 /// Class of a draft angle, 0 … 6, when `required` degrees are asked for.
 [[nodiscard]] int draftClass(double degrees, double required);
