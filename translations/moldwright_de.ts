@@ -778,10 +778,6 @@
         <translation>Der Formenbau wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>The folder {0} could not be made: {1}.</source>
-        <translation>Der Ordner {0} ließ sich nicht anlegen: {1}.</translation>
-    </message>
-    <message>
         <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
         <translation>Die 3MF-Datei ließ sich nicht schreiben: lib3mf scheiterte an {0}.</translation>
     </message>
@@ -1697,6 +1693,10 @@
 </context>
 <context>
     <name>exchange</name>
+    <message>
+        <source>The folder {0} could not be made: {1}.</source>
+        <translation>Der Ordner {0} ließ sich nicht anlegen: {1}.</translation>
+    </message>
     <message>
         <source>{0} could not be written: {1}.</source>
         <translation>{0} ließ sich nicht schreiben: {1}.</translation>

@@ -954,10 +954,6 @@
         <translation>模具的构建已取消。</translation>
     </message>
     <message>
-        <source>The folder {0} could not be made: {1}.</source>
-        <translation>无法创建文件夹 {0}：{1}。</translation>
-    </message>
-    <message>
         <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
         <translation>无法生成 3MF 文件：lib3mf 未能 {0}。</translation>
     </message>
@@ -2063,6 +2059,10 @@
 </context>
 <context>
     <name>exchange</name>
+    <message>
+        <source>The folder {0} could not be made: {1}.</source>
+        <translation>无法创建文件夹 {0}：{1}。</translation>
+    </message>
     <message>
         <source>{0} could not be written: {1}.</source>
         <translation>无法写入 {0}：{1}。</translation>

@@ -2,6 +2,7 @@
 #include "cli/design_command.h"
 
 #include "cli/design_files.h"
+#include "cli/frame_writer.h"
 #include "cli/load_part.h"
 #include "cli/mold_options.h"
 #include "cli/render_client.h"
@@ -43,7 +44,8 @@ struct DesignOptions {
     std::vector<double> bendAt;
     bool mold = false;
     bool report = false;
-    MoldSettings block; ///< the options' values, once they are read
+    bool frames = false; ///< keep the shapes on the way
+    MoldSettings block;  ///< the options' values, once they are read
     MoldOptions moldOptions;
 };
 
@@ -228,9 +230,13 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
     const Result<DesignRequest> request = requestFor(options, part, session);
     if (!request)
         return std::unexpected(request.error());
-    Result<DesignResult> result = design(*request, session.task().part(0.05, options.mold ? 0.85 : 1));
+    FrameWriter frames(std::filesystem::path(options.output) / "frames");
+    Result<DesignResult> result = design(*request, session.task().part(0.05, options.mold ? 0.85 : 1),
+                                         options.frames ? frames.sink() : FrameSink{});
     if (!result)
         return std::unexpected(result.error());
+    if (const Result<void> done = frames.finish(); !done)
+        return std::unexpected(done.error());
     result->warnings = warningsFor(*part, *result);
     if (options.mold && result->castable && !result->cutShort)
         if (const Result<void> done = writeMoldOf(options, *request, *result, session.task().part(0.85, 1));
@@ -271,6 +277,7 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     o.size.declare(app);
     app.add_flag("--mold", o.mold, "Also build, prove and write the mold halves");
     app.add_flag("--report", o.report, "Also write the printable report, report.pdf");
+    app.add_flag("--frames", o.frames, "Also write the shape after every step, into the folder frames");
     o.moldOptions.declare(app);
 }
 

@@ -148,11 +148,8 @@ Json timingsJson(const DesignResult& result) {
 
 Result<void> writeDesign(const std::filesystem::path& folder, const std::string& inputFile,
                          const DesignRequest& request, const DesignResult& result) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed)
-        return failure(ErrorCode::WriteFailed, MW_TEXT("cli", "The folder {0} could not be made: {1}."),
-                       {folder.string(), failed.message()});
+    if (Result<void> done = makeFolder(folder); !done)
+        return done;
     if (result.cast) {
         if (auto done = writeMesh(folder / "cast.ply", *result.cast, MeshFormat::Ply); !done)
             return done;

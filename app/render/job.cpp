@@ -10,17 +10,37 @@ namespace moldwright::render {
 
 namespace {
 
-constexpr std::array<const char*, 4> taskNames = {"report", "pictures", "thumbnail", "draft"};
+constexpr std::array<const char*, 4> taskNames = {"report", "pictures", "thumbnail", "surface"};
 constexpr int largestPicture = 8192;
 
-Eigen::Vector3d directionIn(const nlohmann::json& numbers) {
+Eigen::Vector3d triple(const nlohmann::json& numbers) {
     return {numbers.at(0).get<double>(), numbers.at(1).get<double>(), numbers.at(2).get<double>()};
+}
+
+std::vector<Eigen::Vector3d> placesIn(const nlohmann::json& order, const char* key) {
+    std::vector<Eigen::Vector3d> places;
+    for (const nlohmann::json& place : order.value(key, nlohmann::json::array()))
+        places.push_back(triple(place));
+    return places;
 }
 
 MoldState stateIn(const nlohmann::json& order) {
     const nlohmann::json& plane = order.at("plane");
-    return {{directionIn(plane), plane.at(3).get<double>()},
-            {directionIn(order.at("d1")), directionIn(order.at("d2"))}};
+    return {{triple(plane), plane.at(3).get<double>()}, {triple(order.at("d1")), triple(order.at("d2"))}};
+}
+
+SurfaceLook lookIn(const nlohmann::json& order) {
+    SurfaceLook look;
+    if (order.contains("plane")) {
+        look.state = stateIn(order);
+        look.draftDegrees = order.at("draft").get<double>();
+    }
+    if (order.contains("from"))
+        look.from = triple(order.at("from"));
+    look.seeThrough = order.value("see_through", false);
+    look.pins = placesIn(order, "pins");
+    look.suggested = placesIn(order, "suggested");
+    return look;
 }
 
 } // namespace
@@ -37,15 +57,15 @@ Result<Job> readJob(const std::string& json) {
             return refused();
         Job job;
         job.task = static_cast<Job::Task>(task - taskNames.begin());
-        const bool ofMesh = job.task == Job::Task::Draft;
+        const bool ofMesh = job.task == Job::Task::Surface;
         job.source = parsed.at(ofMesh ? "mesh" : "project").get<std::string>();
-        if (ofMesh) {
-            job.state = stateIn(parsed);
-            job.draftDegrees = parsed.at("draft").get<double>();
-        }
+        if (ofMesh)
+            job.look = lookIn(parsed);
         job.out = parsed.at("out").get<std::string>();
         job.width = std::clamp(parsed.value("width", job.width), 16, largestPicture);
         job.height = std::clamp(parsed.value("height", job.height), 16, largestPicture);
+        job.look.width = job.width;
+        job.look.height = job.height;
         return job;
     } catch (const nlohmann::json::exception&) {
         return refused();

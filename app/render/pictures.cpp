@@ -86,6 +86,17 @@ Result<void> draw(const scene::EglContext& context, const SharedMesh& mesh, cons
     return write(scene::renderPicture(view, context, from, wide, high), file);
 }
 
+scene::ShownPins shownPins(const SurfaceLook& look) {
+    scene::ShownPins shown;
+    for (const Vector3d& pin : look.pins) {
+        shown.pins.push_back({pin, std::nullopt});
+        if (look.state)
+            shown.pins.back().onPlane = pin - look.state->plane.distance(pin) * look.state->plane.normal;
+    }
+    shown.suggested = look.suggested;
+    return shown;
+}
+
 } // namespace
 
 Result<void> drawReportPictures(const Project& project, const Evaluation& evaluation,
@@ -130,13 +141,20 @@ Result<void> drawThumbnail(const Project& project, const std::filesystem::path& 
         file, scene::pngBytes(scene::renderPicture(view, **context, fromFrontRight, wide, high)));
 }
 
-Result<void> drawDraftMap(const SharedMesh& mesh, const MoldState& state, double draftDegrees,
-                          const std::filesystem::path& file, int wide, int high) {
+Result<void> drawSurface(const SharedMesh& mesh, const SurfaceLook& look, const std::filesystem::path& file) {
     const Result<std::unique_ptr<scene::EglContext>> context = scene::EglContext::create();
     if (!context)
         return std::unexpected(context.error());
-    const std::vector<double> draft = analyzeDraft(*mesh, state, draftDegrees, false).faceDraft;
-    return draw(**context, mesh, byDraft(draft, draftDegrees), fromFrontRight, wide, high, file);
+    std::vector<Rgb> colours;
+    if (look.state)
+        colours =
+            byDraft(analyzeDraft(*mesh, *look.state, look.draftDegrees, false).faceDraft, look.draftDegrees);
+    scene::Scene view;
+    view.setLook(onPaper(), 2);
+    view.setSurface(scene::drawnMesh(mesh), colours);
+    view.setSeeThrough(look.seeThrough);
+    view.setPins(shownPins(look));
+    return write(scene::renderPicture(view, **context, look.from, look.width, look.height), file);
 }
 
 } // namespace moldwright::render

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "project/pipeline.h"
+#include "render/job.h"
 
 #include <filesystem>
 
@@ -25,8 +26,8 @@ constexpr const char* openedPicture = "opened.png";
 [[nodiscard]] Result<void> drawThumbnail(const Project& project, const std::filesystem::path& file, int width,
                                          int height);
 
-/// Draws a mesh coloured by draft in a mold state, on white. Errors: as above.
-[[nodiscard]] Result<void> drawDraftMap(const SharedMesh& mesh, const MoldState& state, double draftDegrees,
-                                        const std::filesystem::path& file, int width, int height);
+/// Draws one surface on white. Errors: as above.
+[[nodiscard]] Result<void> drawSurface(const SharedMesh& mesh, const SurfaceLook& look,
+                                       const std::filesystem::path& file);
 
 } // namespace moldwright::render

@@ -39,12 +39,11 @@ Result<void> drawMesh(const Job& job) {
     Result<ReadMesh> file = readMesh(job.source);
     if (!file)
         return std::unexpected(file.error());
-    return drawDraftMap(std::make_shared<const IndexedMesh>(std::move(file->mesh)), job.state,
-                        job.draftDegrees, job.out, job.width, job.height);
+    return drawSurface(std::make_shared<const IndexedMesh>(std::move(file->mesh)), job.look, job.out);
 }
 
 Result<void> draw(const Job& job) {
-    if (job.task == Job::Task::Draft)
+    if (job.task == Job::Task::Surface)
         return drawMesh(job);
     const Result<StoredProject> stored = openProject(job.source);
     if (!stored)

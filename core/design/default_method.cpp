@@ -22,7 +22,6 @@ constexpr std::size_t kPlanesTried = 6;    ///< deformed in turn until one ends 
 constexpr std::size_t kPlanesForLimbs = 3; ///< of these, tried when only a limb is short
 constexpr int kFacesBentWhole =
     60000;                           ///< larger parts bend by a stand-in only: theirs are too many tetrahedra
-constexpr int kPinSteps = 12;        ///< plastic steps that bring pins to the plane before the part is split
 constexpr int kPlanesForPins = 3;    ///< tried where pins came without a plane
 constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
 constexpr double kLimbVolume = 0.75; ///< share of its volume
@@ -257,29 +256,21 @@ Error drawnThroughItself(const IndexedMesh& part, int face) {
             {place}};
 }
 
-/// Pins first pull the whole part, unsplit, until they lie in the plane, and on as long as nothing crosses:
+/// Pins first bend the whole part, unsplit, until they lie in the plane; what they make meet lies side by side:
 /// [Stein 2019], Section 6.1.
 Result<PinnedShape> pinned(const MoldState& state, DesignRun& run) {
     Result<Elastoplastic> solver = elastoplasticAt(state, run);
     if (!solver)
         return std::unexpected(solver.error());
     const Stopwatch watch(run.seconds(), "elastoplastic");
-    std::optional<PinnedShape> drawn;
-    std::optional<Error> error;
-    for (int step = 0; step < kPinSteps && !run.stopped(); ++step) {
-        solver->step(run.task());
-        const auto shape = std::make_shared<const IndexedMesh>(solver->shape());
-        run.show("pins", *shape, {}, solver->state());
-        if (const auto crossing = selfIntersections(*shape); crossing.empty())
-            drawn = PinnedShape{shape, solver->pins()};
-        else if (drawn)
-            break;
-        else
-            error = drawnThroughItself(*run.request().part, crossing.front().first);
-    }
+    solver->drawPins(run.task());
+    const auto shape = std::make_shared<const IndexedMesh>(solver->shape());
+    run.show("pins", *shape, {}, solver->state());
     if (run.stopped())
         return DesignRun::cancelled();
-    return drawn ? Result<PinnedShape>(*drawn) : std::unexpected(*error);
+    if (const auto crossing = selfIntersections(*shape); !crossing.empty())
+        return std::unexpected(drawnThroughItself(*run.request().part, crossing.front().first));
+    return PinnedShape{shape, solver->pins()};
 }
 
 /// Bends a part, whose pins lie in the plane already, at the request's plane or the best ones.

@@ -4,6 +4,7 @@
 #include "castability/directions.h"
 #include "castability/energy.h"
 #include "castability/minimize.h"
+#include "deformation/pin_drawing.h"
 #include "deformation/tet_topology.h"
 #include "exchange/tetrahedralize.h"
 #include "mesh/closest_point.h"
@@ -79,6 +80,11 @@ void Elastoplastic::setPins(const std::vector<Pin>& pins) {
         held[static_cast<std::size_t>(m_pinned.back())] = 1;
     }
     m_solver.setHeld(std::move(held));
+}
+
+void Elastoplastic::drawPins(const Task& task) {
+    m_solver.setPositions(drawnIntoPlane(m_solver.shape(), m_pinned, task));
+    m_solver.restart();
 }
 
 std::vector<PlacedPin> Elastoplastic::pins() const {

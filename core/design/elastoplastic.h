@@ -39,6 +39,8 @@ public:
     void setPins(const std::vector<Pin>& pins);
     /// Where those of setPins() are now, part frame, one a pin.
     [[nodiscard]] std::vector<PlacedPin> pins() const;
+    /// Bends the part as a whole until the pins of setPins() lie in the plane, and takes that for its shape.
+    void drawPins(const Task& task);
     /// Importance per face of the part.
     void setFaceWeights(const std::vector<double>& weights);
 

@@ -101,6 +101,15 @@ void synchroniseFolder(const fs::path& folder) {
 
 } // namespace
 
+Result<void> makeFolder(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+        return failure(ErrorCode::WriteFailed, MW_TEXT("exchange", "The folder {0} could not be made: {1}."),
+                       {folder.string(), failed.message()});
+    return {};
+}
+
 Result<void> writeFileAtomically(const fs::path& file, const std::string& bytes) {
     // Through a link the target is replaced, not the link.
     std::error_code notThere;

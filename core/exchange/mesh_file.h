@@ -39,6 +39,9 @@ struct ReadMesh {
 /// `mesh` with every coordinate rounded to the nearest float: exactly what a binary STL of it holds.
 [[nodiscard]] IndexedMesh roundToFloat(const IndexedMesh& mesh);
 
+/// Makes a folder, and those it lies in, unless it is there. Errors: WriteFailed, naming path and cause.
+[[nodiscard]] Result<void> makeFolder(const std::filesystem::path& folder);
+
 /// Writes bytes to a file atomically; an old file stays whole when anything fails. Errors: WriteFailed,
 /// naming path and cause.
 [[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& file, const std::string& bytes);

@@ -194,11 +194,8 @@ std::string moldJson(const Mold& mold) {
 
 Result<void> writeMold(const Mold& mold, const std::string& partName, const std::filesystem::path& folder,
                        const MoldFormats& also) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        return failure(ErrorCode::WriteFailed, MW_TEXT("Mold", "The folder {0} could not be made: {1}."),
-                       {folder.string(), error.message()});
+    if (Result<void> done = makeFolder(folder); !done)
+        return done;
     if (Result<void> done = writeMeshes(mold, folder, ".stl", MeshFormat::StlBinary); !done)
         return done;
     if (Result<void> done = writeAlso(mold, folder, also); !done)

@@ -69,7 +69,7 @@ def design(binaries, mesh, method, folder):
 def draw(binaries, mesh, d, picture, scale=1.0):
     """The mesh coloured by draft in the design's state; `scale`: mm of the design in a unit of the mesh."""
     plane = d["plane"][:3] + [d["plane"][3] / scale]
-    order = {"task": "draft", "mesh": str(mesh), "plane": plane, "d1": d["d1"], "d2": d["d2"], "draft": 1,
+    order = {"task": "surface", "mesh": str(mesh), "plane": plane, "d1": d["d1"], "d2": d["d2"], "draft": 1,
              "out": str(picture), "width": 360, "height": 300}
     subprocess.run([binaries / "moldwright-render"], input=json.dumps(order), text=True, check=True)
 

@@ -168,6 +168,20 @@ TEST_F(PinsCommands, PinsAndWeightsOfAFileThatCannotBeUsedAreNamed) {
     EXPECT_NE(missing.err.find("nowhere.json"), std::string::npos) << missing.err;
 }
 
+TEST_F(PinsCommands, FramesAreTheShapesOnTheWay) {
+    const std::string part = bow(16);
+    ASSERT_EQ(test::runProgram({"design", part, "--out", in("out"), "--frames"}).exitCode, 0);
+    const Json frames = jsonIn("out/frames/frames.json")["frames"];
+    ASSERT_GT(frames.size(), 2U);
+    EXPECT_EQ(frames[0]["file"], "0001.ply");
+    EXPECT_LT(frames.back()["violating_area_fraction"].get<double>(),
+              frames.front()["violating_area_fraction"].get<double>());
+    for (const Json& frame : frames)
+        EXPECT_TRUE(std::filesystem::exists(in("out/frames/" + frame["file"].get<std::string>())));
+    ASSERT_EQ(test::runProgram({"design", part, "--out", in("plain")}).exitCode, 0);
+    EXPECT_FALSE(std::filesystem::exists(in("plain/frames")));
+}
+
 TEST_F(PinsCommands, AnEyePaintedFourTimesKeepsItsShape) {
     // The front of the eyeball, which faces its half; the lid about it is undercut.
     const auto strainWith = [&](int weight) {

@@ -101,30 +101,43 @@ TEST_F(Report, ThatCannotBeWrittenKeepsTheOldOne) {
     EXPECT_NE(run.err.find("could not be written"), std::string::npos) << run.err;
 }
 
-TEST(DraftJob, ReadsAMeshAndItsState) {
+TEST(SurfaceJob, ReadsAMeshAndHowItIsToLook) {
     const Result<render::Job> job =
-        render::readJob(R"({"task": "draft", "mesh": "a.stl", "plane": [0, 0, 1, 2.5], "d1": [0, 0.6, 0.8],
-                            "d2": [0, 0, -1], "draft": 3, "out": "a.png"})");
+        render::readJob(R"({"task": "surface", "mesh": "a.stl", "plane": [0, 0, 1, 2.5], "d1": [0, 0.6, 0.8],
+                            "d2": [0, 0, -1], "draft": 3, "from": [0, -1, 0], "see_through": true,
+                            "pins": [[1, 2, 3]], "suggested": [[4, 5, 6], [7, 8, 9]], "width": 90,
+                            "out": "a.png"})");
     ASSERT_TRUE(job.has_value());
     EXPECT_EQ(job->source, "a.stl");
-    EXPECT_EQ(job->state.plane.offset, 2.5);
-    EXPECT_EQ(job->state.directions.d1, Eigen::Vector3d(0, 0.6, 0.8));
-    EXPECT_EQ(job->draftDegrees, 3);
-    EXPECT_FALSE(render::readJob(R"({"task": "draft", "mesh": "a", "plane": [0, 0], "out": "b"})"));
+    ASSERT_TRUE(job->look.state.has_value());
+    EXPECT_EQ(job->look.state->plane.offset, 2.5);
+    EXPECT_EQ(job->look.state->directions.d1, Eigen::Vector3d(0, 0.6, 0.8));
+    EXPECT_EQ(job->look.draftDegrees, 3);
+    EXPECT_EQ(job->look.from, Eigen::Vector3d(0, -1, 0));
+    EXPECT_TRUE(job->look.seeThrough);
+    EXPECT_EQ(job->look.pins, std::vector<Eigen::Vector3d>{Eigen::Vector3d(1, 2, 3)});
+    EXPECT_EQ(job->look.suggested.size(), 2U);
+    EXPECT_EQ(job->look.width, 90);
+    EXPECT_FALSE(render::readJob(R"({"task": "surface", "mesh": "a", "plane": [0, 0], "out": "b"})"));
 }
 
-TEST(DraftMap, ShowsRedWhereAFaceIsUndercut) {
+TEST(SurfacePicture, ShowsRedWhereAFaceIsUndercut) {
     if (!scene::EglContext::create())
         GTEST_SKIP() << "no graphics";
     const test::ScratchFolder folder;
     const auto ball = std::make_shared<const IndexedMesh>(test::sheared(test::ball(20, 3), 0, 0).mesh);
-    const auto redIn = [&](double offset) {
-        const MoldState state{{Eigen::Vector3d::UnitZ(), offset},
-                              {Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ()}};
+    const auto redIn = [&](std::optional<double> offset) {
+        render::SurfaceLook look;
+        look.width = look.height = 100;
+        look.draftDegrees = 0;
+        if (offset)
+            look.state = MoldState{{Eigen::Vector3d::UnitZ(), *offset},
+                                   {Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ()}};
         const std::filesystem::path file = folder.path() / "map.png";
-        EXPECT_TRUE(render::drawDraftMap(ball, state, 0, file, 100, 100));
+        EXPECT_TRUE(render::drawSurface(ball, look, file));
         return redPixels(file);
     };
+    EXPECT_EQ(redIn(std::nullopt), 0);
     EXPECT_EQ(redIn(0), 0);
     EXPECT_GT(redIn(15), 100);
 }
