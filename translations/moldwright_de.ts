@@ -664,14 +664,6 @@
         <translation>Alle vorgeschlagenen Punkte anheften, die Enden von Gliedern sind.</translation>
     </message>
     <message>
-        <source>&amp;Remove the pin</source>
-        <translation>Heftpunkt &amp;entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the pin that is chosen.</source>
-        <translation>Den gewählten Heftpunkt entfernen.</translation>
-    </message>
-    <message>
         <source>Remove &amp;all pins</source>
         <translation>&amp;Alle Heftpunkte entfernen</translation>
     </message>
@@ -758,6 +750,110 @@
     <message>
         <source>Five steps from a part to its mold, at your own pace.</source>
         <translation>Fünf Schritte vom Teil zu seiner Form, so schnell Sie mögen.</translation>
+    </message>
+    <message>
+        <source>&amp;Importance</source>
+        <translation>&amp;Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>Paint every face by how important it is to keep its shape.</source>
+        <translation>Jede Fläche danach färben, wie wichtig es ist, dass sie ihre Form behält.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove what is chosen</source>
+        <translation>Gewähltes &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the pin or the region that is chosen.</source>
+        <translation>Den gewählten Heftpunkt oder die gewählte Region entfernen.</translation>
+    </message>
+    <message>
+        <source>P&amp;aint importance</source>
+        <translation>Wichtigkeit &amp;malen</translation>
+    </message>
+    <message>
+        <source>Draw over what is to keep its shape: each stroke doubles its weight. Esc leaves.</source>
+        <translation>Darüber malen, was seine Form behalten soll: Jeder Strich verdoppelt das Gewicht. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Paint up to &amp;creases</source>
+        <translation>Bis zu &amp;Kanten malen</translation>
+    </message>
+    <message>
+        <source>Click a face: the stroke goes as far as the surface is smooth. Esc leaves.</source>
+        <translation>Eine Fläche anklicken: Der Strich reicht so weit, wie die Oberfläche glatt ist. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Paint a whole p&amp;iece</source>
+        <translation>Ein ganzes &amp;Stück malen</translation>
+    </message>
+    <message>
+        <source>Click a face: the stroke takes all that is connected with it. Esc leaves.</source>
+        <translation>Eine Fläche anklicken: Der Strich nimmt alles, was mit ihr zusammenhängt. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Paint in a &amp;lasso</source>
+        <translation>In einem &amp;Lasso malen</translation>
+    </message>
+    <message>
+        <source>Draw around what is to be painted: faces that are seen inside. Esc leaves.</source>
+        <translation>Um das herumfahren, was gemalt werden soll: Flächen, die man darin sieht. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>&amp;Erase</source>
+        <translation>&amp;Radieren</translation>
+    </message>
+    <message>
+        <source>Let strokes halve weights instead of doubling them; Ctrl does the opposite.</source>
+        <translation>Striche halbieren Gewichte, statt sie zu verdoppeln; mit Strg umgekehrt.</translation>
+    </message>
+    <message>
+        <source>S&amp;maller brush</source>
+        <translation>&amp;Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Make the brush smaller. Alt and the wheel do so too.</source>
+        <translation>Den Pinsel verkleinern. Alt und das Mausrad tun es auch.</translation>
+    </message>
+    <message>
+        <source>Lar&amp;ger brush</source>
+        <translation>&amp;Größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Make the brush larger. Alt and the wheel do so too.</source>
+        <translation>Den Pinsel vergrößern. Alt und das Mausrad tun es auch.</translation>
+    </message>
+    <message>
+        <source>&amp;New region</source>
+        <translation>&amp;Neue Region</translation>
+    </message>
+    <message>
+        <source>Let the next stroke make a region of its own.</source>
+        <translation>Der nächste Strich bildet eine eigene Region.</translation>
+    </message>
+    <message>
+        <source>Remove all re&amp;gions</source>
+        <translation>Alle Re&amp;gionen entfernen</translation>
+    </message>
+    <message>
+        <source>Nothing is more important than the rest then.</source>
+        <translation>Dann ist nichts wichtiger als der Rest.</translation>
+    </message>
+    <message>
+        <source>Regions from a file…</source>
+        <translation>Regionen aus Datei…</translation>
+    </message>
+    <message>
+        <source>Read important regions from a JSON file, as the command line takes it.</source>
+        <translation>Wichtige Regionen aus einer JSON-Datei lesen, wie die Befehlszeile sie nimmt.</translation>
+    </message>
+    <message>
+        <source>Regions into a file…</source>
+        <translation>Regionen in Datei…</translation>
+    </message>
+    <message>
+        <source>Write all regions as JSON for the command line or another project.</source>
+        <translation>Alle Regionen als JSON für die Befehlszeile oder ein anderes Projekt schreiben.</translation>
     </message>
 </context>
 <context>
@@ -1043,10 +1139,6 @@
         <translation>wird gefüllt</translation>
     </message>
     <message>
-        <source>No pins</source>
-        <translation>Keine Heftpunkte</translation>
-    </message>
-    <message>
         <source>1 pin</source>
         <translation>1 Heftpunkt</translation>
     </message>
@@ -1061,6 +1153,18 @@
     <message>
         <source>Half %1</source>
         <translation>Hälfte %1</translation>
+    </message>
+    <message>
+        <source>1 region</source>
+        <translation>1 Region</translation>
+    </message>
+    <message>
+        <source>%1 regions</source>
+        <translation>%1 Regionen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
     </message>
 </context>
 <context>
@@ -2472,6 +2576,50 @@
         <source>Crease up to %1</source>
         <translation>Knick bis %1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;B&lt;/b&gt; takes the brush; &lt;b&gt;F2&lt;/b&gt; renames the region, &lt;b&gt;Del&lt;/b&gt; removes it. %1</source>
+        <translation>&lt;b&gt;B&lt;/b&gt; nimmt den Pinsel; &lt;b&gt;F2&lt;/b&gt; benennt die Region um, &lt;b&gt;Entf&lt;/b&gt; entfernt sie. %1</translation>
+    </message>
+    <message>
+        <source>Regions from a file</source>
+        <translation>Regionen aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Regions (*.json);;All files (*)</source>
+        <translation>Regionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Regions into a file</source>
+        <translation>Regionen in eine Datei</translation>
+    </message>
+    <message>
+        <source>Regions (*.json)</source>
+        <translation>Regionen (*.json)</translation>
+    </message>
+    <message>
+        <source>a new region</source>
+        <translation>einer neuen Region</translation>
+    </message>
+    <message>
+        <source>Strokes halve the weight.</source>
+        <translation>Striche halbieren das Gewicht.</translation>
+    </message>
+    <message>
+        <source>Strokes double the weight in %1.</source>
+        <translation>Striche verdoppeln das Gewicht in %1.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw&lt;/b&gt; around the faces. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>Um die Flächen &lt;b&gt;herumfahren&lt;/b&gt;. %1 Mit &lt;b&gt;Strg&lt;/b&gt; umgekehrt, &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a face. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>Eine Fläche &lt;b&gt;anklicken&lt;/b&gt;. %1 Mit &lt;b&gt;Strg&lt;/b&gt; umgekehrt, &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>Über das Teil &lt;b&gt;malen&lt;/b&gt;. %1 Mit &lt;b&gt;Strg&lt;/b&gt; umgekehrt, &lt;b&gt;Alt+Mausrad&lt;/b&gt; ändert die Größe, &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -2933,6 +3081,66 @@
         <source>It will be filled. %1 more places to decide on.</source>
         <translation>Es wird gefüllt. Über %1 weitere Stellen ist zu entscheiden.</translation>
     </message>
+    <message>
+        <source>Region %1</source>
+        <translation>Region %1</translation>
+    </message>
+    <message>
+        <source>Erase importance</source>
+        <translation>Wichtigkeit radieren</translation>
+    </message>
+    <message>
+        <source>Paint importance</source>
+        <translation>Wichtigkeit malen</translation>
+    </message>
+    <message>
+        <source>Looking which faces are seen</source>
+        <translation>Sichtbare Flächen suchen</translation>
+    </message>
+    <message>
+        <source>No face&apos;s middle is seen inside the lasso.</source>
+        <translation>Im Lasso ist keine Fläche mit ihrer Mitte zu sehen.</translation>
+    </message>
+    <message>
+        <source>Change a region&apos;s weight</source>
+        <translation>Gewicht einer Region ändern</translation>
+    </message>
+    <message>
+        <source>Change a region&apos;s limit</source>
+        <translation>Grenze einer Region ändern</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all regions</source>
+        <translation>Alle Regionen entfernen</translation>
+    </message>
+    <message>
+        <source>Reading regions</source>
+        <translation>Regionen lesen</translation>
+    </message>
+    <message>
+        <source>Regions from a file</source>
+        <translation>Regionen aus einer Datei</translation>
+    </message>
+    <message>
+        <source>%1 regions read from %2.</source>
+        <translation>%1 Regionen aus %2 gelesen.</translation>
+    </message>
+    <message>
+        <source>Regions written to %1.</source>
+        <translation>Regionen in %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 kept its shape within %2 mm: it changed by %3 mm.</source>
+        <translation>%1 hat die Form auf %2 mm gehalten: Sie änderte sich um %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1 changed its shape by %2 mm, more than the %3 mm allowed. Give it more weight, or take another plane.</source>
+        <translation>%1 hat die Form um %2 mm geändert, mehr als die erlaubten %3 mm. Geben Sie mehr Gewicht oder nehmen Sie eine andere Ebene.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -3013,6 +3221,10 @@
     <message>
         <source>Strain</source>
         <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Wichtigkeit</translation>
     </message>
 </context>
 <context>
@@ -3306,8 +3518,8 @@
         <translation>{0}: Heftpunkt {1} liegt {2} mm außerhalb des Teils. Heftpunkte sind in den Millimetern des Teils, nach --units, --scale oder --size.</translation>
     </message>
     <message>
-        <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536.</source>
-        <translation>{0}: Region {1} braucht ein „weight“ von 1 (wie der Rest) bis 65536.</translation>
+        <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536, or with &quot;faces&quot; a list of such, one for each.</source>
+        <translation>{0}: Region {1} braucht ein &quot;weight&quot; von 1 (wie der Rest) bis 65536, oder mit &quot;faces&quot; eine Liste davon, eines für jede.</translation>
     </message>
 </context>
 <context>
@@ -3527,6 +3739,148 @@
     <message>
         <source>There is no material {0}. Known are: {1}.</source>
         <translation>Den Werkstoff {0} gibt es nicht. Bekannt sind: {1}.</translation>
+    </message>
+</context>
+<context>
+    <name>ImportancePages</name>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>Pinselradius</translation>
+    </message>
+    <message>
+        <source>Measured over the surface, so the brush does not jump to a near wall.</source>
+        <translation>Über die Oberfläche gemessen, damit der Pinsel nicht auf eine nahe Wand springt.</translation>
+    </message>
+    <message>
+        <source>Stop at creases</source>
+        <translation>Halt an Kanten</translation>
+    </message>
+    <message>
+        <source>How sharp an edge must be for the face tool to end there.</source>
+        <translation>Wie scharf eine Kante sein muss, damit das Flächenwerkzeug dort endet.</translation>
+    </message>
+    <message>
+        <source>Each stroke doubles the weight of what it covers; with Ctrl it halves it.</source>
+        <translation>Jeder Strich verdoppelt das Gewicht dessen, was er bedeckt; mit Strg halbiert er es.</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>What is painted keeps its shape; the rest gives way.</source>
+        <translation>Was gemalt ist, behält seine Form; der Rest gibt nach.</translation>
+    </message>
+    <message>
+        <source>All regions</source>
+        <translation>Alle Regionen</translation>
+    </message>
+    <message>
+        <source>No region yet. A stroke makes one; F2 gives it a name.</source>
+        <translation>Noch keine Region. Ein Strich bildet eine; F2 gibt ihr einen Namen.</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regionen</translation>
+    </message>
+    <message>
+        <source>Within their limits</source>
+        <translation>In ihren Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>The heaviest of its faces. Typed, it is given to all of them; 1 is only measured.</source>
+        <translation>Das ihrer schwersten Fläche. Eingegeben gilt es für alle; mit 1 wird nur gemessen.</translation>
+    </message>
+    <message>
+        <source>Keep within ±</source>
+        <translation>Form halten auf ±</translation>
+    </message>
+    <message>
+        <source>How far its points may move against each other; 0 is no limit.</source>
+        <translation>Wie weit sich ihre Punkte gegeneinander bewegen dürfen; 0 ist keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Measured in the cast</source>
+        <translation>Am Gussteil gemessen</translation>
+    </message>
+    <message>
+        <source>Largest change</source>
+        <translation>Größte Änderung</translation>
+    </message>
+    <message>
+        <source>Of its shape, wherever it went as a whole: after its own best fit.</source>
+        <translation>Ihrer Form, wohin sie auch als Ganzes ging: nach ihrer eigenen besten Einpassung.</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>Mittlere Änderung</translation>
+    </message>
+    <message>
+        <source>Root of the mean square.</source>
+        <translation>Wurzel des mittleren Quadrats.</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>How much its surface was stretched.</source>
+        <translation>Wie stark ihre Oberfläche gedehnt wurde.</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>ImportancePaint</name>
+    <message>
+        <source>Importance</source>
+        <translation>Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>Shown on the part as opened only.</source>
+        <translation>Nur am Teil, wie geöffnet, zu sehen.</translation>
+    </message>
+    <message>
+        <source>like the rest</source>
+        <translation>wie der Rest</translation>
+    </message>
+    <message>
+        <source>×32 or more</source>
+        <translation>×32 oder mehr</translation>
     </message>
 </context>
 </TS>

@@ -492,14 +492,6 @@
         <translation>固定所有属于肢端的建议点。</translation>
     </message>
     <message>
-        <source>&amp;Remove the pin</source>
-        <translation>移除固定点(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Remove the pin that is chosen.</source>
-        <translation>移除选中的固定点。</translation>
-    </message>
-    <message>
         <source>Remove &amp;all pins</source>
         <translation>移除所有固定点(&amp;A)</translation>
     </message>
@@ -759,6 +751,110 @@
         <source>Version, licence, libraries.</source>
         <translation>版本、许可证、程序库。</translation>
     </message>
+    <message>
+        <source>&amp;Importance</source>
+        <translation>重要性(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Paint every face by how important it is to keep its shape.</source>
+        <translation>按保持形状的重要程度为每个面着色。</translation>
+    </message>
+    <message>
+        <source>&amp;Remove what is chosen</source>
+        <translation>移除所选(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove the pin or the region that is chosen.</source>
+        <translation>移除选中的固定点或区域。</translation>
+    </message>
+    <message>
+        <source>P&amp;aint importance</source>
+        <translation>绘制重要性(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Draw over what is to keep its shape: each stroke doubles its weight. Esc leaves.</source>
+        <translation>在要保持形状的地方涂画：每一笔使权重加倍。按 Esc 退出。</translation>
+    </message>
+    <message>
+        <source>Paint up to &amp;creases</source>
+        <translation>绘制到折痕为止(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Click a face: the stroke goes as far as the surface is smooth. Esc leaves.</source>
+        <translation>点击一个面：这一笔延伸到表面不再光滑处。按 Esc 退出。</translation>
+    </message>
+    <message>
+        <source>Paint a whole p&amp;iece</source>
+        <translation>绘制整个连通块(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Click a face: the stroke takes all that is connected with it. Esc leaves.</source>
+        <translation>点击一个面：这一笔涵盖与之相连的全部。按 Esc 退出。</translation>
+    </message>
+    <message>
+        <source>Paint in a &amp;lasso</source>
+        <translation>在套索内绘制(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Draw around what is to be painted: faces that are seen inside. Esc leaves.</source>
+        <translation>圈出要绘制的部分：其中可见的面。按 Esc 退出。</translation>
+    </message>
+    <message>
+        <source>&amp;Erase</source>
+        <translation>擦除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Let strokes halve weights instead of doubling them; Ctrl does the opposite.</source>
+        <translation>让笔画把权重减半而不是加倍；按住 Ctrl 则相反。</translation>
+    </message>
+    <message>
+        <source>S&amp;maller brush</source>
+        <translation>缩小画笔(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Make the brush smaller. Alt and the wheel do so too.</source>
+        <translation>缩小画笔。Alt 加滚轮也可以。</translation>
+    </message>
+    <message>
+        <source>Lar&amp;ger brush</source>
+        <translation>放大画笔(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Make the brush larger. Alt and the wheel do so too.</source>
+        <translation>放大画笔。Alt 加滚轮也可以。</translation>
+    </message>
+    <message>
+        <source>&amp;New region</source>
+        <translation>新区域(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Let the next stroke make a region of its own.</source>
+        <translation>让下一笔成为单独的区域。</translation>
+    </message>
+    <message>
+        <source>Remove all re&amp;gions</source>
+        <translation>移除所有区域(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Nothing is more important than the rest then.</source>
+        <translation>此后没有任何部分比其余部分更重要。</translation>
+    </message>
+    <message>
+        <source>Regions from a file…</source>
+        <translation>从文件读区域…</translation>
+    </message>
+    <message>
+        <source>Read important regions from a JSON file, as the command line takes it.</source>
+        <translation>从 JSON 文件读取重要区域，格式与命令行相同。</translation>
+    </message>
+    <message>
+        <source>Regions into a file…</source>
+        <translation>区域写入文件…</translation>
+    </message>
+    <message>
+        <source>Write all regions as JSON for the command line or another project.</source>
+        <translation>把所有区域写成 JSON，供命令行或其他项目使用。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -785,6 +881,10 @@
     <message>
         <source>Plain</source>
         <translation>素色</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>重要性</translation>
     </message>
 </context>
 <context>
@@ -905,8 +1005,8 @@
         <translation>{0}：固定点 {1} 在零件外 {2} mm 处。固定点以零件的毫米计，在 --units、--scale 或 --size 之后。</translation>
     </message>
     <message>
-        <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536.</source>
-        <translation>{0}：区域 {1} 需要 1（与其余相同）到 65536 的 &quot;weight&quot;。</translation>
+        <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536, or with &quot;faces&quot; a list of such, one for each.</source>
+        <translation>{0}：区域 {1} 需要一个 1（与其余相同）到 65536 的 &quot;weight&quot;，或者配合 &quot;faces&quot; 给出一个列表，每个面一个。</translation>
     </message>
 </context>
 <context>
@@ -1126,10 +1226,6 @@
 <context>
     <name>Presentation</name>
     <message>
-        <source>No pins</source>
-        <translation>无固定点</translation>
-    </message>
-    <message>
         <source>1 pin</source>
         <translation>1 个固定点</translation>
     </message>
@@ -1320,6 +1416,18 @@
     <message>
         <source>Step %1, live</source>
         <translation>第 %1 步，实时</translation>
+    </message>
+    <message>
+        <source>1 region</source>
+        <translation>1 个区域</translation>
+    </message>
+    <message>
+        <source>%1 regions</source>
+        <translation>%1 个区域</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>
@@ -2866,6 +2974,50 @@
         <source>Crease up to %1</source>
         <translation>折痕最大 %1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;B&lt;/b&gt; takes the brush; &lt;b&gt;F2&lt;/b&gt; renames the region, &lt;b&gt;Del&lt;/b&gt; removes it. %1</source>
+        <translation>&lt;b&gt;B&lt;/b&gt; 取画笔；&lt;b&gt;F2&lt;/b&gt; 重命名区域，&lt;b&gt;Del&lt;/b&gt; 移除它。%1</translation>
+    </message>
+    <message>
+        <source>Regions from a file</source>
+        <translation>从文件读区域</translation>
+    </message>
+    <message>
+        <source>Regions (*.json);;All files (*)</source>
+        <translation>区域 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Regions into a file</source>
+        <translation>区域写入文件</translation>
+    </message>
+    <message>
+        <source>Regions (*.json)</source>
+        <translation>区域 (*.json)</translation>
+    </message>
+    <message>
+        <source>a new region</source>
+        <translation>新区域</translation>
+    </message>
+    <message>
+        <source>Strokes halve the weight.</source>
+        <translation>笔画使权重减半。</translation>
+    </message>
+    <message>
+        <source>Strokes double the weight in %1.</source>
+        <translation>笔画使 %1 的权重加倍。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw&lt;/b&gt; around the faces. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;圈出&lt;/b&gt;各面。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a face. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;点击&lt;/b&gt;一个面。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>在零件上&lt;b&gt;涂画&lt;/b&gt;。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;Alt+滚轮&lt;/b&gt;改变大小，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -3499,6 +3651,66 @@
         <source>It will be filled. %1 more places to decide on.</source>
         <translation>将予填充。还有 %1 处待决定。</translation>
     </message>
+    <message>
+        <source>Region %1</source>
+        <translation>区域 %1</translation>
+    </message>
+    <message>
+        <source>Erase importance</source>
+        <translation>擦除重要性</translation>
+    </message>
+    <message>
+        <source>Paint importance</source>
+        <translation>绘制重要性</translation>
+    </message>
+    <message>
+        <source>Looking which faces are seen</source>
+        <translation>查找可见的面</translation>
+    </message>
+    <message>
+        <source>No face&apos;s middle is seen inside the lasso.</source>
+        <translation>套索内看不到任何面的中心。</translation>
+    </message>
+    <message>
+        <source>Change a region&apos;s weight</source>
+        <translation>更改区域的权重</translation>
+    </message>
+    <message>
+        <source>Change a region&apos;s limit</source>
+        <translation>更改区域的限度</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+    <message>
+        <source>Remove all regions</source>
+        <translation>移除所有区域</translation>
+    </message>
+    <message>
+        <source>Reading regions</source>
+        <translation>读取区域</translation>
+    </message>
+    <message>
+        <source>Regions from a file</source>
+        <translation>从文件读区域</translation>
+    </message>
+    <message>
+        <source>%1 regions read from %2.</source>
+        <translation>已从 %2 读取 %1 个区域。</translation>
+    </message>
+    <message>
+        <source>Regions written to %1.</source>
+        <translation>区域已写入 %1。</translation>
+    </message>
+    <message>
+        <source>%1 kept its shape within %2 mm: it changed by %3 mm.</source>
+        <translation>%1 的形状保持在 %2 mm 之内：变化了 %3 mm。</translation>
+    </message>
+    <message>
+        <source>%1 changed its shape by %2 mm, more than the %3 mm allowed. Give it more weight, or take another plane.</source>
+        <translation>%1 的形状变化了 %2 mm，超过允许的 %3 mm。请增加权重，或换一个平面。</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -3527,6 +3739,148 @@
     <message>
         <source>There is no material {0}. Known are: {1}.</source>
         <translation>没有材料 {0}。已知的有：{1}。</translation>
+    </message>
+</context>
+<context>
+    <name>ImportancePages</name>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>Measured over the surface, so the brush does not jump to a near wall.</source>
+        <translation>沿表面测量，因此画笔不会跳到邻近的壁上。</translation>
+    </message>
+    <message>
+        <source>Stop at creases</source>
+        <translation>止于折痕</translation>
+    </message>
+    <message>
+        <source>How sharp an edge must be for the face tool to end there.</source>
+        <translation>边要有多尖锐，面工具才止于此。</translation>
+    </message>
+    <message>
+        <source>Each stroke doubles the weight of what it covers; with Ctrl it halves it.</source>
+        <translation>每一笔使所覆盖部分的权重加倍；按住 Ctrl 则减半。</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>重要性</translation>
+    </message>
+    <message>
+        <source>What is painted keeps its shape; the rest gives way.</source>
+        <translation>绘制的部分保持形状；其余部分让步。</translation>
+    </message>
+    <message>
+        <source>All regions</source>
+        <translation>所有区域</translation>
+    </message>
+    <message>
+        <source>No region yet. A stroke makes one; F2 gives it a name.</source>
+        <translation>尚无区域。画一笔即成一个；按 F2 命名。</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Within their limits</source>
+        <translation>在限度之内</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 中的 %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>权重</translation>
+    </message>
+    <message>
+        <source>The heaviest of its faces. Typed, it is given to all of them; 1 is only measured.</source>
+        <translation>其中最重的面的权重。输入后赋予所有面；1 表示只测量。</translation>
+    </message>
+    <message>
+        <source>Keep within ±</source>
+        <translation>保持在 ± 之内</translation>
+    </message>
+    <message>
+        <source>How far its points may move against each other; 0 is no limit.</source>
+        <translation>其各点之间可以相对移动多远；0 表示不限。</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>面数</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Measured in the cast</source>
+        <translation>在铸件中测得</translation>
+    </message>
+    <message>
+        <source>Largest change</source>
+        <translation>最大变化</translation>
+    </message>
+    <message>
+        <source>Of its shape, wherever it went as a whole: after its own best fit.</source>
+        <translation>指其形状的变化，不论整体移到何处：经自身最佳拟合之后。</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>平均变化</translation>
+    </message>
+    <message>
+        <source>Root of the mean square.</source>
+        <translation>均方根。</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>应变</translation>
+    </message>
+    <message>
+        <source>How much its surface was stretched.</source>
+        <translation>其表面被拉伸了多少。</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+</context>
+<context>
+    <name>ImportancePaint</name>
+    <message>
+        <source>Importance</source>
+        <translation>重要性</translation>
+    </message>
+    <message>
+        <source>Shown on the part as opened only.</source>
+        <translation>只在打开时的零件上显示。</translation>
+    </message>
+    <message>
+        <source>like the rest</source>
+        <translation>与其余相同</translation>
+    </message>
+    <message>
+        <source>×32 or more</source>
+        <translation>×32 或以上</translation>
     </message>
 </context>
 </TS>

@@ -67,7 +67,8 @@ std::vector<Message> warningsFor(const IndexedMesh& part, const DesignResult& re
 }
 
 /// Pins and importance from their files.
-Result<void> takeGuides(const DesignOptions& options, DesignRequest& request) {
+Result<void> takeGuides(const DesignOptions& options, DesignRequest& request,
+                        std::vector<ImportantRegion>& importance) {
     if (options.pins != "none") {
         Result<std::vector<Pin>> pins = readPins(options.pins, *request.part);
         if (!pins)
@@ -75,11 +76,12 @@ Result<void> takeGuides(const DesignOptions& options, DesignRequest& request) {
         request.pins = std::move(*pins);
     }
     if (!options.weights.empty()) {
-        Result<Importance> importance = readWeights(options.weights, *request.part);
-        if (!importance)
-            return std::unexpected(importance.error());
-        request.faceWeights = std::move(importance->faceWeights);
-        request.regions = std::move(importance->regions);
+        Result<std::vector<ImportantRegion>> regions = readWeights(options.weights, *request.part);
+        if (!regions)
+            return std::unexpected(regions.error());
+        importance = std::move(*regions);
+        request.faceWeights = faceWeights(importance, request.part->faceCount());
+        request.regions = keptRegions(importance);
     }
     return {};
 }
@@ -95,7 +97,9 @@ std::vector<UndercutChoice> undercutChoices(const DesignOptions& options) {
     return choices;
 }
 
-Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, const Session& session) {
+/// What is asked of a run; `importance` receives the regions of a file of weights.
+Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, const Session& session,
+                                 std::vector<ImportantRegion>& importance) {
     DesignRequest request;
     request.part = std::move(part);
     const Result<std::optional<PartingPlane>> plane = options.state.givenPlane();
@@ -111,7 +115,7 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
     } else if (options.directions == "normal") {
         request.directionsChoice = DirectionsChoice::Normal;
     }
-    if (const Result<void> guides = takeGuides(options, request); !guides)
+    if (const Result<void> guides = takeGuides(options, request, importance); !guides)
         return std::unexpected(guides.error());
     request.draftDegrees = options.state.draft;
     const Result<DirectionLimits> limits = options.limits.limits();
@@ -128,7 +132,8 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
 }
 
 Project projectOf(const DesignOptions& options, const IndexedMesh& source, const Placement& placement,
-                  const DesignRequest& request, const DesignResult& result) {
+                  const DesignRequest& request, const std::vector<ImportantRegion>& importance,
+                  const DesignResult& result) {
     Project project;
     project.design = {request.draftDegrees, request.limits, request.directionsChoice,
                       request.method,       request.fill,   request.seed};
@@ -137,7 +142,7 @@ Project projectOf(const DesignOptions& options, const IndexedMesh& source, const
     project = withPart(std::move(project), file.stem().string(), file.filename().string(),
                        std::make_shared<const IndexedMesh>(source), placement);
     project.pins = request.pins;
-    project.faceWeights = request.faceWeights;
+    project.importance = importance;
     project = withState(std::move(project), result.state, request.plane.has_value());
     project.undercuts = request.undercuts;
     return result.castable ? withCast(std::move(project), result, request.draftDegrees) : project;
@@ -227,7 +232,8 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
         return std::unexpected(source.error());
     const Placement placement = options.size.placementFor(*source);
     const auto part = std::make_shared<const IndexedMesh>(placed(*source, placement));
-    const Result<DesignRequest> request = requestFor(options, part, session);
+    std::vector<ImportantRegion> importance;
+    const Result<DesignRequest> request = requestFor(options, part, session, importance);
     if (!request)
         return std::unexpected(request.error());
     FrameWriter frames(std::filesystem::path(options.output) / "frames");
@@ -244,7 +250,8 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
             return std::unexpected(done.error());
     whole.reset();
     result->seconds.insert(seconds.begin(), seconds.end());
-    const StoredProject project{projectOf(options, *source, placement, *request, *result), "", ""};
+    const StoredProject project{projectOf(options, *source, placement, *request, importance, *result), "",
+                                ""};
     if (const Result<void> done = writeAll(options, *request, *result, project, session); !done)
         return std::unexpected(done.error());
     tell(*result, session);

@@ -89,7 +89,7 @@ Result<void> draw(const scene::EglContext& context, const SharedMesh& mesh, cons
 scene::ShownPins shownPins(const SurfaceLook& look) {
     scene::ShownPins shown;
     for (const Vector3d& pin : look.pins) {
-        shown.pins.push_back({pin, std::nullopt});
+        shown.pins.push_back({static_cast<int>(shown.pins.size()), pin, std::nullopt, false});
         if (look.state)
             shown.pins.back().onPlane = pin - look.state->plane.distance(pin) * look.state->plane.normal;
     }

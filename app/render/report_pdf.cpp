@@ -91,16 +91,31 @@ void drawFirstPage(Paper& paper, const ReportData& data, const std::filesystem::
     drawFooter(paper, data, 1, pageCount);
 }
 
-double drawChecks(Paper& paper, const ReportData& data, double y) {
-    y += paper.text(Paper::left, y, 120, QStringLiteral("Certificate, on the written halves"), {10, true}) +
-         1.2;
-    for (const ReportCheck& check : data.checks) {
+double drawChecks(Paper& paper, const QString& title, const std::vector<ReportCheck>& checks, double y) {
+    y += paper.text(Paper::left, y, 120, title, {10, true}) + 1.2;
+    for (const ReportCheck& check : checks) {
         paper.mark(Paper::left, y + 1.2, 3.6, check.holds);
         paper.text(Paper::left + 6, y + 0.9, 174, words(check.text), {9});
         y += 6.2;
         paper.line(Paper::left, y, Paper::right, y, 0.5, ink::hairline);
     }
     return y;
+}
+
+/// As many as the page has room for; those that missed their limit come first.
+double drawRegions(Paper& paper, const ReportData& data, double y) {
+    constexpr std::size_t most = 4;
+    if (data.regions.empty())
+        return y;
+    const std::size_t shown = std::min(most, data.regions.size());
+    const auto first = data.regions.begin();
+    y = drawChecks(paper, QStringLiteral("Important regions, each after its own best fit"),
+                   {first, first + static_cast<std::ptrdiff_t>(shown)}, y);
+    if (shown < data.regions.size())
+        y += paper.text(Paper::left + 6, y + 0.9, 174,
+                        QStringLiteral("and %1 more").arg(data.regions.size() - shown),
+                        {9, false, ink::secondary});
+    return y + 4;
 }
 
 double drawDefaults(Paper& paper, const ReportData& data, double y) {
@@ -154,7 +169,7 @@ void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem:
         y = std::max(y, end) + 3;
     }
     if (!data.checks.empty())
-        y = drawChecks(paper, data, y) + 2;
+        y = drawChecks(paper, QStringLiteral("Certificate, on the written halves"), data.checks, y) + 2;
     y += paper.text(
              Paper::left, y, 180,
              QStringLiteral("Proved in exact arithmetic on the coordinates as they stand in the files. The "
@@ -162,6 +177,7 @@ void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem:
                             "simulation of filling, warpage, cooling or friction."),
              {7.5, false, ink::secondary}) +
          5;
+    y = drawRegions(paper, data, y);
     y = drawDefaults(paper, data, y) + 5;
     drawOpenItems(paper, data, y);
     drawSignOff(paper, 258);

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/action_table.h"
 
-#include "theme/icons.h"
-#include "window/preferences.h"
-
-#include <QCoreApplication>
 #include <QtGlobal>
-
-#include <algorithm>
 
 namespace moldwright {
 
@@ -91,6 +85,10 @@ std::span<const ActionSpec> actionTable() {
          Needs::Part, true},
         {"show-strain", QT_TRANSLATE_NOOP("Actions", "&View"), QT_TRANSLATE_NOOP("Actions", "&Strain"), "",
          "Shift+S", QT_TRANSLATE_NOOP("Actions", "Paint how much the surface was stretched, in percent."),
+         Needs::Part, true},
+        {"show-importance", QT_TRANSLATE_NOOP("Actions", "&View"),
+         QT_TRANSLATE_NOOP("Actions", "&Importance"), "", "I",
+         QT_TRANSLATE_NOOP("Actions", "Paint every face by how important it is to keep its shape."),
          Needs::Part, true},
         {"show-plain", QT_TRANSLATE_NOOP("Actions", "&View"), QT_TRANSLATE_NOOP("Actions", "P&lain"), "", "L",
          QT_TRANSLATE_NOOP("Actions", "Show the shape alone."), Needs::Part, true},
@@ -204,9 +202,10 @@ std::span<const ActionSpec> actionTable() {
          "pin", "Ctrl+Shift+G",
          QT_TRANSLATE_NOOP("Actions", "Pin all suggested points that are ends of limbs."),
          Needs::SuggestedTips},
-        {"remove-pin", QT_TRANSLATE_NOOP("Actions", "&Guides"),
-         QT_TRANSLATE_NOOP("Actions", "&Remove the pin"), "close", "Del",
-         QT_TRANSLATE_NOOP("Actions", "Remove the pin that is chosen."), Needs::ChosenPin, false, true},
+        {"remove-guide", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "&Remove what is chosen"), "close", "Del",
+         QT_TRANSLATE_NOOP("Actions", "Remove the pin or the region that is chosen."), Needs::ChosenGuide,
+         false, true},
         {"clear-pins", QT_TRANSLATE_NOOP("Actions", "&Guides"),
          QT_TRANSLATE_NOOP("Actions", "Remove &all pins"), "close", "",
          QT_TRANSLATE_NOOP("Actions", "Remove all pins; the suggested ones stay."), Needs::Pins},
@@ -218,6 +217,52 @@ std::span<const ActionSpec> actionTable() {
          QT_TRANSLATE_NOOP("Actions", "Pins &into a file…"), "export", "",
          QT_TRANSLATE_NOOP("Actions", "Write all pins as JSON for the command line or another project."),
          Needs::Pins},
+        {"paint", QT_TRANSLATE_NOOP("Actions", "&Guides"), QT_TRANSLATE_NOOP("Actions", "P&aint importance"),
+         "brush", "B",
+         QT_TRANSLATE_NOOP(
+             "Actions", "Draw over what is to keep its shape: each stroke doubles its weight. Esc leaves."),
+         Needs::IdlePart, true, true},
+        {"paint-crease", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "Paint up to &creases"), "grow", "Shift+B",
+         QT_TRANSLATE_NOOP("Actions",
+                           "Click a face: the stroke goes as far as the surface is smooth. Esc leaves."),
+         Needs::IdlePart, true},
+        {"paint-piece", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "Paint a whole p&iece"), "part", "",
+         QT_TRANSLATE_NOOP("Actions",
+                           "Click a face: the stroke takes all that is connected with it. Esc leaves."),
+         Needs::IdlePart, true},
+        {"paint-lasso", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "Paint in a &lasso"), "lasso", "Alt+B",
+         QT_TRANSLATE_NOOP("Actions",
+                           "Draw around what is to be painted: faces that are seen inside. Esc leaves."),
+         Needs::IdlePart, true},
+        {"paint-erase", QT_TRANSLATE_NOOP("Actions", "&Guides"), QT_TRANSLATE_NOOP("Actions", "&Erase"),
+         "erase", "E",
+         QT_TRANSLATE_NOOP("Actions",
+                           "Let strokes halve weights instead of doubling them; Ctrl does the opposite."),
+         Needs::Part, true},
+        {"brush-smaller", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "S&maller brush"), "", "[",
+         QT_TRANSLATE_NOOP("Actions", "Make the brush smaller. Alt and the wheel do so too."), Needs::Part},
+        {"brush-larger", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "Lar&ger brush"), "", "]",
+         QT_TRANSLATE_NOOP("Actions", "Make the brush larger. Alt and the wheel do so too."), Needs::Part},
+        {"new-region", QT_TRANSLATE_NOOP("Actions", "&Guides"), QT_TRANSLATE_NOOP("Actions", "&New region"),
+         "region", "Shift+N", QT_TRANSLATE_NOOP("Actions", "Let the next stroke make a region of its own."),
+         Needs::Part},
+        {"clear-importance", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "Remove all re&gions"), "close", "",
+         QT_TRANSLATE_NOOP("Actions", "Nothing is more important than the rest then."), Needs::Regions},
+        {"import-weights", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "Regions from a file…"), "open", "",
+         QT_TRANSLATE_NOOP("Actions",
+                           "Read important regions from a JSON file, as the command line takes it."),
+         Needs::IdlePart},
+        {"export-weights", QT_TRANSLATE_NOOP("Actions", "&Guides"),
+         QT_TRANSLATE_NOOP("Actions", "Regions into a file…"), "export", "",
+         QT_TRANSLATE_NOOP("Actions", "Write all regions as JSON for the command line or another project."),
+         Needs::Regions},
 
         {"run", QT_TRANSLATE_NOOP("Actions", "&Deform"), QT_TRANSLATE_NOOP("Actions", "&Run"), "play",
          "Ctrl+Return", QT_TRANSLATE_NOOP("Actions", "Bend the part until it leaves the mold, and prove it."),
@@ -303,76 +348,6 @@ std::span<const ActionSpec> actionTable() {
          "info", "", QT_TRANSLATE_NOOP("Actions", "Version, licence, libraries.")},
     };
     return table;
-}
-
-namespace {
-
-/// The tool tip tells the keys, so both change together.
-void giveKeys(QAction& action, const QKeySequence& keys) {
-    action.setShortcut(keys);
-    const QString words = keys.toString(QKeySequence::NativeText);
-    action.setToolTip(words.isEmpty() ? action.statusTip()
-                                      : QStringLiteral("%1 (%2)").arg(action.statusTip(), words));
-}
-
-} // namespace
-
-Actions::Actions(QObject* parent) : QObject(parent) {
-    const auto translated = [](const char* text) { return QCoreApplication::translate("Actions", text); };
-    for (const ActionSpec& spec : actionTable()) {
-        auto* action = new QAction(translated(spec.text), this);
-        action->setObjectName(QString::fromLatin1(spec.id));
-        action->setProperty("menu", translated(spec.menu));
-        action->setProperty("iconName", QString::fromLatin1(spec.icon));
-        if (*spec.icon)
-            action->setIcon(themeIcon(QString::fromLatin1(spec.icon)));
-        action->setShortcutContext(Qt::WindowShortcut);
-        action->setStatusTip(translated(spec.hint));
-        action->setCheckable(spec.checkable);
-        m_actions[action->objectName()] = action;
-        m_ordered.push_back(action);
-        giveKeys(*action, preferences::keysOf(action->objectName())
-                              .value_or(QKeySequence(QString::fromLatin1(spec.shortcut))));
-    }
-}
-
-QKeySequence Actions::firstKeys(const QString& id) const {
-    for (const ActionSpec& spec : actionTable())
-        if (id == QLatin1String(spec.id))
-            return QKeySequence(QString::fromLatin1(spec.shortcut));
-    return {};
-}
-
-void Actions::setKeys(const QString& id, const QKeySequence& keys) {
-    preferences::setKeysOf(id, keys == firstKeys(id) ? std::nullopt : std::optional(keys));
-    giveKeys(*m_actions.at(id), keys);
-}
-
-void Actions::resetKeys() {
-    for (const auto& [id, action] : m_actions)
-        setKeys(id, firstKeys(id));
-}
-
-bool Actions::anyKeysChanged() const {
-    return std::ranges::any_of(m_ordered, [&](const QAction* action) {
-        return action->shortcut() != firstKeys(action->objectName());
-    });
-}
-
-const QAction* Actions::withKeys(const QKeySequence& keys) const {
-    const auto found =
-        std::ranges::find_if(m_ordered, [&](const QAction* action) { return action->shortcut() == keys; });
-    return keys.isEmpty() || found == m_ordered.end() ? nullptr : *found;
-}
-
-void Actions::on(const QString& id, const std::function<void()>& run) {
-    connect(m_actions.at(id), &QAction::triggered, this, [run] { run(); });
-}
-
-void Actions::update(const std::function<bool(Needs)>& isSo) {
-    std::size_t i = 0;
-    for (const ActionSpec& spec : actionTable())
-        m_ordered[i++]->setEnabled(isSo(spec.needs));
 }
 
 } // namespace moldwright

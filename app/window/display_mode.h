@@ -10,9 +10,9 @@
 
 namespace moldwright {
 
-/// What the faces are painted by: red undercuts, classes of draft, or a map of numbers.
-enum class DisplayMode { Undercuts, DraftMap, UndercutDepth, Deviation, Strain, Plain };
-inline constexpr int displayModeCount = 6;
+/// What the faces are painted by: red undercuts, classes of draft, a map of numbers, or painted importance.
+enum class DisplayMode { Undercuts, DraftMap, UndercutDepth, Deviation, Strain, Importance, Plain };
+inline constexpr int displayModeCount = 7;
 
 /// What a view shows of the part: the newest shape (a run's, the cast, or the part while there is no other),
 /// or the part as it was opened.

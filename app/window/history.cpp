@@ -56,7 +56,9 @@ std::size_t History::bytes() const {
                 count(project->cast->mesh);
                 sum += sizeof(double) * static_cast<std::size_t>(project->cast->before.size());
             }
-            sum += sizeof(Project) + sizeof(double) * project->faceWeights.size();
+            sum += sizeof(Project);
+            for (const ImportantRegion& region : project->importance)
+                sum += region.faces.size() * (sizeof(int) + sizeof(double));
         }
     return sum;
 }

@@ -26,6 +26,7 @@ std::vector<double> valuesFor(const MapRequest& request) {
     }
     case DisplayMode::Undercuts:
     case DisplayMode::DraftMap:
+    case DisplayMode::Importance:
     case DisplayMode::Plain:
         break;
     }

@@ -13,8 +13,10 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
+#include "window/importance_pages.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
+#include "window/paint_tool.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
@@ -41,11 +43,22 @@ constexpr int historyRow = 24; ///< px
 /// The step of the job that a row of the tree belongs to.
 Step stepOf(const QString& id) {
     return id == u"plane"_s || id.startsWith(u"direction"_s)                                 ? Step::Plane
-           : pinsChosen(id)                                                                  ? Step::Guides
+           : pinsChosen(id) || regionsChosen(id)                                             ? Step::Guides
            : id == u"deform"_s || obstructionNumber(id) >= 0 || id.startsWith(u"undercut"_s) ? Step::Deform
            : id == u"cast"_s                                                                 ? Step::Check
            : id == u"mold"_s || id.startsWith(u"half"_s)                                     ? Step::Mold
                                                                                              : Step::Part;
+}
+
+/// What is selected, or where it was in the tree when it is gone.
+QString stillThere(const QString& selected, const Workbench& bench) {
+    const auto isGone = [](int number, std::size_t count) { return number >= static_cast<int>(count); };
+    if (isGone(obstructionNumber(selected), bench.obstructions().size()) ||
+        isGone(undercutNumber(selected), bench.undercuts().size()))
+        return u"deform"_s;
+    if (isGone(pinNumber(selected), bench.project().pins.size()))
+        return u"pins"_s;
+    return isGone(regionNumber(selected), bench.project().importance.size()) ? allRegionsId() : selected;
 }
 
 } // namespace
@@ -115,11 +128,8 @@ void MainWindow::refresh() {
     for (int step = 0; step < stepCount; ++step)
         m_workflow->setStanding(step, states[step].standing, states[step].words);
     m_projectModel->setRows(projectRows(m_bench, m_visible));
-    if (obstructionNumber(m_selected) >= static_cast<int>(m_bench.obstructions().size()) ||
-        undercutNumber(m_selected) >= static_cast<int>(m_bench.undercuts().size()))
-        select(u"deform"_s);
-    if (pinNumber(m_selected) >= static_cast<int>(m_bench.project().pins.size()))
-        select(u"pins"_s);
+    select(stillThere(m_selected, m_bench));
+    m_paint->setRegion(regionNumber(m_selected));
     m_tree->select(m_selected);
     m_plots->setRequiredDraft(m_bench.project().design.draftDegrees);
     if (m_bench.progress().size() < m_plots->points().size())
@@ -170,7 +180,8 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::SuggestedTips,
         idle && std::ranges::count(m_bench.suggestionsInView(), PinKind::Tip, &SuggestedPin::kind) > 0);
     add(Needs::Pins, idle && !project.pins.empty());
-    add(Needs::ChosenPin, idle && pinNumber(m_selected) >= 0);
+    add(Needs::ChosenGuide, idle && (pinNumber(m_selected) >= 0 || regionNumber(m_selected) >= 0));
+    add(Needs::Regions, idle && !project.importance.empty());
     add(Needs::FillableObstruction, idle && !m_bench.placesToFill(obstructionNumber(m_selected)).empty());
     add(Needs::CastShape, idle && project.cast != nullptr);
     add(Needs::ProvedCast, idle && m_bench.castIsProved());
@@ -225,6 +236,10 @@ void MainWindow::refreshHint() {
         m_hint->setText(tr("<b>Click</b> a pin to choose it, <b>Del</b> removes it; <b>P</b> pins another "
                            "point. %1")
                             .arg(keys));
+    else if (regionsChosen(m_selected))
+        m_hint->setText(
+            tr("<b>B</b> takes the brush; <b>F2</b> renames the region, <b>Del</b> removes it. %1")
+                .arg(keys));
     else if (moldShown())
         m_hint->setText(tr("<b>X</b> opens and closes the mold. %1").arg(keys));
     else

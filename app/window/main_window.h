@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -24,6 +25,7 @@ class Banner;
 class CommandSearch;
 class MeasureTool;
 class MessageList;
+class PaintTool;
 class PartView;
 class ProgressPlots;
 class ProjectModel;
@@ -43,7 +45,19 @@ struct OpenedMesh;
 struct ShownSurface;
 
 /// What a click on the part does.
-enum class Tool { None, Measure, LayFlat, Pin, PinInside, PlaneOnFace, PlaneByPoints };
+enum class Tool {
+    None,
+    Measure,
+    LayFlat,
+    Pin,
+    PinInside,
+    PlaneOnFace,
+    PlaneByPoints,
+    Paint,
+    PaintCrease,
+    PaintPiece,
+    PaintLasso
+};
 
 /// The window: shows the workbench and sends it what the user wants. It holds no data of its own but what is
 /// hidden and selected, so that it can be built anew when the language changes.
@@ -110,8 +124,14 @@ private:
     void useTool(Tool tool);
     [[nodiscard]] QString toolHint() const;
     void serveTools(ViewPane& pane);
+    void servePins(ViewPane& pane);
     void takePlanePoint(const Eigen::Vector3d& point);
     void snapPlane(const PartingPlane& plane);
+
+    // main_window_importance.cpp
+    void connectImportanceActions();
+    void usePaintTool();
+    [[nodiscard]] QString paintHint() const;
 
     // main_window_views.cpp
     void buildViews(QWidget* parent);
@@ -139,6 +159,8 @@ private:
     void chooseFileForReport();
     void choosePinsToImport();
     void choosePinsToExport();
+    void chooseWeightsToImport();
+    void chooseWeightsToExport();
     void askUnit(const OpenedMesh& opened);
     void save(const std::function<void()>& then = {});
     void saveAs(const std::function<void()>& then = {});
@@ -177,6 +199,7 @@ private:
     QString m_selected = QStringLiteral("part");
     Tool m_tool = Tool::None;
     std::vector<Eigen::Vector3d> m_planePoints; ///< clicked so far, mm
+    std::optional<bool> m_pinInside;            ///< whether the pin that is dragged lies inside the part
     enum class Fit { Not, AsTheyLook, FromHome };
     Fit m_fitWhenDrawn = Fit::FromHome; ///< how the next surfaces are to be brought into sight
 
@@ -188,8 +211,10 @@ private:
     ViewArea* m_views = nullptr;
     PartView* m_view = nullptr; ///< the active one
     MeasureTool* m_measure = nullptr;
-    Turntable* m_turntable = nullptr; ///< while one is taken
-    Tour* m_tour = nullptr;           ///< while it is on
+    PaintTool* m_paint = nullptr;
+    std::optional<DisplayMode> m_modeBefore; ///< of the active view, while a tool that paints is in hand
+    Turntable* m_turntable = nullptr;        ///< while one is taken
+    Tour* m_tour = nullptr;                  ///< while it is on
     ProjectModel* m_projectModel = nullptr;
     ProjectTree* m_tree = nullptr;
     PropertyPanel* m_properties = nullptr;

@@ -17,6 +17,7 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
+#include "window/importance_pages.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
@@ -49,12 +50,25 @@ namespace moldwright {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/// Renames what a row of the tree stands for.
+void rename(Workbench& bench, const QString& id, const QString& name) {
+    if (const int region = regionNumber(id); region >= 0)
+        bench.renameRegion(region, name);
+    else
+        bench.rename(name);
+}
+
+} // namespace
+
 void MainWindow::connectActions() {
     connectFileActions();
     connectViewActions();
     connectToolActions();
     connectPartActions();
     connectPinActions();
+    connectImportanceActions();
     connectDesignActions();
     connectWindowActions();
     // The actions' own keys work wherever the focus is in the window, in menus or not.
@@ -225,12 +239,11 @@ void MainWindow::connectPanels() {
     });
     connect(m_tree, &ProjectTree::chosen, this, &MainWindow::select);
     connect(m_tree, &ProjectTree::visibilityToggled, this, [this](const QString& id) {
-        if (bool* shown = switchOf(m_visible, id))
-            *shown = !*shown;
+        toggle(m_visible, id);
         refreshSoon();
     });
     connect(m_projectModel, &ProjectModel::renamed, this,
-            [this](const QString&, const QString& name) { m_bench.rename(name); });
+            [this](const QString& id, const QString& name) { rename(m_bench, id, name); });
     connect(m_properties, &PropertyPanel::previewed, this, [this](const QString& id, const QVariant& value) {
         applyProperty(m_bench, m_properties->pageId(), id, value, true);
     });

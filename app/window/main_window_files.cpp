@@ -199,6 +199,21 @@ void MainWindow::choosePinsToExport() {
         m_bench.exportPins(file);
 }
 
+void MainWindow::chooseWeightsToImport() {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Regions from a file"), preferences::folder(),
+                                                      tr("Regions (*.json);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    preferences::setFolderOf(file);
+    m_bench.importWeights(file);
+}
+
+void MainWindow::chooseWeightsToExport() {
+    const QString file = fileToWrite(tr("Regions into a file"), u"-regions.json"_s, tr("Regions (*.json)"));
+    if (!file.isEmpty())
+        m_bench.exportWeights(file);
+}
+
 void MainWindow::saveScreenshot() {
     const QString file = fileToWrite(tr("Save a picture"), u".png"_s, tr("PNG pictures (*.png)"));
     if (!file.isEmpty() && !m_view->grabFramebuffer().save(file))

@@ -7,19 +7,24 @@
 #include "project/edits.h"
 #include "scene/plane_handle.h"
 #include "view/part_view.h"
+#include "window/importance_pages.h"
 #include "window/measure_tool.h"
+#include "window/paint_tool.h"
 #include "window/pin_pages.h"
 #include "window/view_area.h"
 #include "window/view_pane.h"
 #include "window/workbench.h"
 
 #include <array>
+#include <utility>
 
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
 
 namespace {
+
+constexpr double onSurface = 1e-6; ///< of the part's diagonal
 
 struct ToolSpec {
     Tool tool;
@@ -36,6 +41,10 @@ const std::vector<ToolSpec>& toolTable() {
         {Tool::PinInside, u"pin-inside"_s, PartView::Picking::PinInside, true},
         {Tool::PlaneOnFace, u"plane-on-face"_s, PartView::Picking::Face},
         {Tool::PlaneByPoints, u"plane-by-points"_s, PartView::Picking::Place},
+        {Tool::Paint, u"paint"_s, PartView::Picking::Stroke, true},
+        {Tool::PaintCrease, u"paint-crease"_s, PartView::Picking::Stroke, true},
+        {Tool::PaintPiece, u"paint-piece"_s, PartView::Picking::Stroke, true},
+        {Tool::PaintLasso, u"paint-lasso"_s, PartView::Picking::Lasso, true},
     };
     return table;
 }
@@ -74,6 +83,7 @@ void MainWindow::useTool(Tool tool) {
         pane->view().setPicking(picking);
     if (tool == Tool::Pin || tool == Tool::PinInside)
         select(u"pins"_s);
+    usePaintTool();
     if (tool != Tool::None)
         m_view->setFocus();
     refreshSoon();
@@ -99,12 +109,20 @@ QString MainWindow::toolHint() const {
     case Tool::PlaneByPoints:
         return tr("<b>Click</b> point %1 of 3 that the parting plane shall run through. <b>Esc</b> leaves.")
             .arg(m_planePoints.size() + 1);
+    case Tool::Paint:
+    case Tool::PaintCrease:
+    case Tool::PaintPiece:
+    case Tool::PaintLasso:
+        return paintHint();
     }
     return {};
 }
 
 void MainWindow::serveTools(ViewPane& pane) {
+    m_paint->serve(pane);
     const PartView* view = &pane.view();
+    connect(view, &PartView::brushScaled, this,
+            [this](double factor) { m_bench.setBrushRadius(m_bench.brushRadius() * factor); });
     connect(view, &PartView::faceClicked, this, [this, &pane](int face) {
         if (m_bench.background().busy())
             return;
@@ -118,6 +136,34 @@ void MainWindow::serveTools(ViewPane& pane) {
     connect(view, &PartView::pointClicked, this, [this](const scene::SurfacePicker::Hit& hit) {
         if (m_tool == Tool::PlaneByPoints && !m_bench.background().busy())
             takePlanePoint(hit.point);
+    });
+    servePins(pane);
+}
+
+void MainWindow::servePins(ViewPane& pane) {
+    const PartView* view = &pane.view();
+    connect(view, &PartView::pinDragged, this,
+            [this, &pane](int pin, const scene::Ray& ray, const scene::SurfacePicker::Hit& hit) {
+                const auto picker = m_bench.surface(pane.settings().content).picker;
+                const Project& project = m_bench.document().committed();
+                if (m_bench.background().busy() || !picker || picker->mesh() != project.part)
+                    return;
+                // What lies inside stays inside, what lies on the surface on it.
+                const Eigen::Vector3d& was = project.pins.at(static_cast<std::size_t>(pin)).point;
+                if (!m_pinInside)
+                    m_pinInside = picker->distance(was) >
+                                  onSurface * m_bench.figures(project.part).box.diagonal().norm();
+                const auto inside = *m_pinInside ? picker->middleBelow(hit, ray) : std::nullopt;
+                select(pinId(pin));
+                m_bench.movePin(pin, inside.value_or(hit.point), {}, true);
+            });
+    connect(view, &PartView::pinDropped, this, [this](int pin) {
+        if (std::exchange(m_pinInside, std::nullopt))
+            m_bench.movePin(pin, m_bench.project().pins.at(static_cast<std::size_t>(pin)).point, {});
+    });
+    connect(view, &PartView::pinDragCancelled, this, [this] {
+        m_pinInside.reset();
+        m_bench.document().endPreview();
     });
     connect(view, &PartView::pinPlaced, this, [this](const Eigen::Vector3d& place) {
         if (m_bench.background().busy())
@@ -160,9 +206,14 @@ void MainWindow::snapPlane(const PartingPlane& plane) {
 void MainWindow::connectPinActions() {
     m_actions.on(u"suggest-pins"_s, [this] { m_bench.suggestPins(); });
     m_actions.on(u"accept-tips"_s, [this] { m_bench.acceptTips(); });
-    m_actions.on(u"remove-pin"_s, [this] {
-        m_bench.removePin(pinNumber(m_selected));
-        select(u"pins"_s);
+    m_actions.on(u"remove-guide"_s, [this] {
+        const int region = regionNumber(m_selected);
+        if (region < 0)
+            m_bench.removePin(pinNumber(m_selected));
+        else
+            m_bench.removeRegion(region);
+        m_visible.hidden.clear(); // those after it have other numbers now
+        select(region < 0 ? u"pins"_s : allRegionsId());
     });
     m_actions.on(u"clear-pins"_s, [this] { m_bench.clearPins(); });
     m_actions.on(u"import-pins"_s, [this] { choosePinsToImport(); });

@@ -5,8 +5,11 @@
 #include "project/edits.h"
 #include "view/part_view.h"
 #include "window/face_paint.h"
+#include "window/importance_pages.h"
+#include "window/importance_paint.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
+#include "window/paint_tool.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/undercut_pages.h"
@@ -40,6 +43,12 @@ bool creaseTold(const QString& selected, const scene::SharpestCrease& crease) {
            (selected == u"plane"_s || selected.startsWith(u"direction"_s) || selected == u"cast"_s);
 }
 
+scene::PanelContent legendIn(DisplayMode mode, const Workbench& bench, const ShownSurface& surface,
+                             const FaceMap* map, const Visibility& visible) {
+    return mode == DisplayMode::Importance ? importanceLegend(bench, surface, visible)
+                                           : legendFor(bench, surface, mode, map);
+}
+
 /// A direction turned by hand is meant: the run shall take it as it is.
 Project draggedTo(const Project& project, const MoldState& state, scene::Grip grip) {
     const bool direction = grip == scene::Grip::Direction1 || grip == scene::Grip::Direction2;
@@ -51,6 +60,11 @@ Project draggedTo(const Project& project, const MoldState& state, scene::Grip gr
 void MainWindow::buildViews(QWidget* parent) {
     m_views = new ViewArea(parent);
     m_measure = new MeasureTool(m_bench, this);
+    m_paint = new PaintTool(m_bench, this);
+    connect(m_paint, &PaintTool::painted, this, [this](int region) {
+        if (region >= 0)
+            select(regionId(region));
+    });
     connect(m_measure, &MeasureTool::changed, this, &MainWindow::refreshSoon);
     connect(m_views, &ViewArea::paneMade, this, &MainWindow::connectPane);
     connect(m_views, &ViewArea::activeChanged, this, [this] {
@@ -234,11 +248,14 @@ void MainWindow::refreshView(ViewPane& pane) {
     scene.setEdges(settings.edges);
     scene.setSeeThrough(settings.seeThrough);
     scene.setSurfaceVisible(m_visible.shape);
-    scene.setPlaneVisible(m_visible.plane && !inMold);
-    scene.setDirectionsVisible(m_visible.directions && !inMold);
+    const bool onlyShape = inMold || m_modeBefore; // a brush in hand wants nothing before the part
+    scene.setPlaneVisible(m_visible.plane && !onlyShape);
+    scene.setDirectionsVisible(m_visible.directions && !onlyShape);
     showCut(pane);
     scene.setDirectionLimits(m_bench.project().design.limits, m_selected.startsWith(u"direction"_s));
-    scene.setLegend(inMold ? scene::PanelContent() : legendFor(m_bench, surface, settings.mode, map));
+    scene.setLegend(inMold ? scene::PanelContent()
+                           : legendIn(settings.mode, m_bench, surface, map, m_visible));
+    view.setBrushRadius(m_tool == Tool::Paint ? m_bench.brushRadius() : 0);
     scene.setStateChip(stateChipFor(m_bench, settings.content));
     scene.setChips(surface.drawn && !inMold ? chipsIn(scene, map) : std::vector<scene::Chip>());
     const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
@@ -250,7 +267,8 @@ void MainWindow::refreshView(ViewPane& pane) {
 void MainWindow::showGuides(scene::Scene& scene, const ShownSurface& surface) {
     const bool onPart = surface.drawn && surface.drawn->mesh == m_bench.project().part;
     const bool suggested = m_visible.suggestedPins && pinsChosen(m_selected);
-    scene.setPins(onPart && m_visible.pins ? shownPins(m_bench, m_selected, suggested) : scene::ShownPins());
+    scene.setPins(onPart && m_visible.pins ? shownPins(m_bench, m_selected, suggested, m_visible)
+                                           : scene::ShownPins());
     scene.setFilling(onPart ? shownFilling(m_bench, m_selected) : nullptr);
 }
 
@@ -263,7 +281,8 @@ void MainWindow::showSurface(PartView& view, const ShownSurface& surface, Displa
         return;
     view.setCoarse(surface.coarse);
     view.setLive(m_bench.running() && !m_bench.resting());
-    const FacePaint paint = paintFor(m_bench, surface, mode, map);
+    const FacePaint paint = mode == DisplayMode::Importance ? importancePaint(m_bench, surface, m_visible)
+                                                            : paintFor(m_bench, surface, mode, map);
     scene.setFaceColours(paint.faces);
     scene.setStandInColours(paint.standIn);
 }
@@ -273,7 +292,7 @@ std::vector<scene::Chip> MainWindow::chipsIn(const scene::Scene& scene, const Fa
     std::vector<scene::Chip> chips = marksOf(m_bench.obstructions(), obstructionNumber(m_selected));
     const std::vector<scene::Chip> undercuts = undercutMarks(m_bench, m_selected);
     chips.insert(chips.end(), undercuts.begin(), undercuts.end());
-    if (const auto state = m_bench.shownState(); state && m_visible.directions)
+    if (const auto state = m_bench.shownState(); state && m_visible.directions && !m_modeBefore)
         for (const int side : {1, 2})
             chips.push_back(
                 {scene.arrowTip(side),
@@ -289,6 +308,9 @@ std::vector<scene::Chip> MainWindow::chipsIn(const scene::Scene& scene, const Fa
               {{std::nullopt, {{tr("Crease up to %1").arg(angleText(crease.degrees)).toStdString()}}, {}}}}});
     if (scene.surface() && scene.surface()->mesh == m_bench.project().part && m_visible.pins)
         std::ranges::copy(pinChips(m_bench, m_selected), std::back_inserter(chips));
+    if (scene.surface() && regionsChosen(m_selected) && !m_modeBefore)
+        std::ranges::copy(regionChips(m_bench, scene.surface()->mesh, m_visible, m_selected),
+                          std::back_inserter(chips));
     for (const Eigen::Vector3d& point : m_planePoints)
         chips.push_back({point, {}, scene.colours().accent});
     if (map)

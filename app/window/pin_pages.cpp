@@ -121,7 +121,8 @@ void addPinRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Vis
                         .iconName = u"pin"_s,
                         .tint = toColor(theme().scene.pinLine),
                         .name = nameOf(i),
-                        .value = wayText(bench, i)});
+                        .value = wayText(bench, i),
+                        .visible = visible.shows(pinId(i))});
     if (bench.suggestionsKnown())
         rows.push_back({.id = suggestedId,
                         .parent = parent,
@@ -136,7 +137,7 @@ PropertyPage pinPage(int number, const Workbench& bench, const Actions& actions)
         return allPage(bench, actions);
     PropertyPage page{pinId(number), u"pin"_s, nameOf(number), Words::tr("Pins"), {}};
     const NumberProperty place{u"mm"_s, -10000, 10000, 0.5, 2, false};
-    PropertySection where{Words::tr("Place in the part"), {}, {actions[u"remove-pin"_s]}, false};
+    PropertySection where{Words::tr("Place in the part"), {}, {actions[u"remove-guide"_s]}, false};
     for (const QString& axis : axes)
         where.rows.push_back(Property{placePrefix + axis, axis.toUpper(), {}, place});
     page.sections = {
@@ -192,13 +193,16 @@ bool applyPinValue(Workbench& bench, const QString& id, const QString& page, dou
     return true;
 }
 
-scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool suggested) {
+scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool suggested,
+                           const Visibility& visible) {
     scene::ShownPins shown;
     const Project& project = bench.project();
     const int chosen = pinNumber(selected);
-    for (const Pin& pin : project.pins) {
-        scene::ShownPin it{
-            .place = pin.point, .onPlane = {}, .chosen = chosen == static_cast<int>(shown.pins.size())};
+    for (int i = 0; i < static_cast<int>(project.pins.size()); ++i) {
+        if (!visible.shows(pinId(i)))
+            continue;
+        const Pin& pin = project.pins[static_cast<std::size_t>(i)];
+        scene::ShownPin it{.number = i, .place = pin.point, .onPlane = {}, .chosen = chosen == i};
         if (project.state)
             it.onPlane = pin.point - project.state->plane.distance(pin.point) * project.state->plane.normal;
         shown.pins.push_back(it);

@@ -32,7 +32,8 @@ void fillPinPage(PropertyPanel& panel, const Workbench& bench);
 bool applyPinValue(Workbench& bench, const QString& id, const QString& page, double value, bool preview);
 
 /// What the views show of them; `suggested`: the suggested ones too.
-[[nodiscard]] scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool suggested);
+[[nodiscard]] scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool suggested,
+                                         const Visibility& visible);
 /// A chip at the chosen pin with its way to the plane.
 [[nodiscard]] std::vector<scene::Chip> pinChips(const Workbench& bench, const QString& selected);
 

@@ -4,6 +4,7 @@
 #include "mesh/measures.h"
 #include "project/edits.h"
 #include "theme/theme.h"
+#include "window/importance_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/undercut_pages.h"
@@ -34,9 +35,15 @@ QString sizeText(const Eigen::Vector3d& size) {
 
 StepState guidesState(const Workbench& bench) {
     const auto pins = bench.project().pins.size();
-    if (pins == 0)
-        return {Standing::Todo, Words::tr("No pins")};
-    return {Standing::Done, pins == 1 ? Words::tr("1 pin") : Words::tr("%1 pins").arg(pins)};
+    const auto regions = bench.project().importance.size();
+    QStringList words;
+    if (pins > 0)
+        words << (pins == 1 ? Words::tr("1 pin") : Words::tr("%1 pins").arg(pins));
+    if (regions > 0)
+        words << (regions == 1 ? Words::tr("1 region") : Words::tr("%1 regions").arg(regions));
+    if (words.isEmpty())
+        return {Standing::Todo, Words::tr("None")};
+    return {Standing::Done, words.join(u", "_s)};
 }
 
 StepState planeState(const Workbench& bench) {
@@ -203,6 +210,10 @@ QString percentText(double fraction) {
     return u"%1 %"_s.arg(100 * fraction, 0, 'f', 1);
 }
 
+QString weightText(double weight) {
+    return u"×%1"_s.arg(weight, 0, 'g', 5);
+}
+
 double tiltDegrees(const MoldState& state, int side) {
     const double cosine = std::abs(state.directions.of(side).dot(state.plane.normal));
     return degrees(std::acos(std::min(1.0, cosine)));
@@ -233,19 +244,33 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
     if (bench.project().state)
         addPlaneRows(rows, bench, visible);
     addPinRows(rows, bench, visible);
+    addRegionRows(rows, bench, visible);
     addDeformRows(rows, bench);
     addMoldRows(rows, bench, visible);
     return rows;
 }
 
+namespace {
+
+/// The switch of a row that stands for all of its kind; null for any other.
 bool* switchOf(Visibility& visible, const QString& id) {
     return id == u"part"_s                 ? &visible.shape
            : id == u"plane"_s              ? &visible.plane
            : id == u"mold"_s               ? &visible.mold
            : id == u"pins"_s               ? &visible.pins
            : id == u"suggested-pins"_s     ? &visible.suggestedPins
+           : id == allRegionsId()          ? &visible.importance
            : id.startsWith(u"direction"_s) ? &visible.directions
                                            : nullptr;
+}
+
+} // namespace
+
+void toggle(Visibility& visible, const QString& id) {
+    if (bool* shown = switchOf(visible, id))
+        *shown = !*shown;
+    else if (visible.hidden.erase(id) == 0)
+        visible.hidden.insert(id);
 }
 
 Verdict verdictOf(const Workbench& bench) {

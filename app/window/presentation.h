@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <array>
+#include <set>
 #include <vector>
 
 namespace moldwright {
@@ -25,10 +26,14 @@ struct Visibility {
     bool mold = true;
     bool pins = true;
     bool suggestedPins = true;
+    bool importance = true;
+    std::set<QString> hidden; ///< rows hidden one by one: pins, regions
+
+    [[nodiscard]] bool shows(const QString& id) const { return !hidden.contains(id); }
 };
 
-/// What the eye of a row in the tree shows and hides; null for a row without one.
-[[nodiscard]] bool* switchOf(Visibility& visible, const QString& id);
+/// Shows or hides what the eye of a row in the tree stands for.
+void toggle(Visibility& visible, const QString& id);
 
 /// The steps of the job.
 enum class Step { Part, Plane, Guides, Deform, Check, Mold, Report };
@@ -57,6 +62,8 @@ struct Verdict {
 [[nodiscard]] QString angleText(double degrees, int decimals = 1);
 [[nodiscard]] QString draftText(double degrees);
 [[nodiscard]] QString percentText(double fraction);
+/// "×16".
+[[nodiscard]] QString weightText(double weight);
 /// Angle of direction 1 or 2 to the plane's normal, degrees.
 [[nodiscard]] double tiltDegrees(const MoldState& state, int side);
 

@@ -2,6 +2,7 @@
 #include "window/property_pages.h"
 
 #include "window/action_table.h"
+#include "window/importance_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/presentation.h"
@@ -293,6 +294,8 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
         return undercutPage(undercutNumber(selected), bench, actions);
     if (pinsChosen(selected))
         return pinPage(pinNumber(selected), bench, actions);
+    if (regionsChosen(selected))
+        return regionPage(regionNumber(selected), bench, actions);
     if (selected == u"deform"_s)
         return deformPage(bench, actions);
     if (selected == u"cast"_s)

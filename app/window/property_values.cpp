@@ -7,6 +7,7 @@
 #include "project/placing.h"
 #include "scene/direction_handle.h"
 #include "scene/plane_handle.h"
+#include "window/importance_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/presentation.h"
@@ -279,11 +280,14 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     fillObstruction(panel, bench);
     fillUndercutPage(panel, bench);
     fillPinPage(panel, bench);
+    fillRegionPage(panel, bench);
 }
 
 void applyProperty(Workbench& bench, const QString& page, const QString& id, const QVariant& value,
                    bool preview) {
-    if (applyTreatment(bench, id, value.toInt()) || applyPinValue(bench, id, page, value.toDouble(), preview))
+    if (applyTreatment(bench, id, value.toInt()) ||
+        applyPinValue(bench, id, page, value.toDouble(), preview) ||
+        applyRegionValue(bench, id, page, value.toDouble(), preview))
         return;
     if (id == u"offered"_s) {
         if (!bench.background().busy())

@@ -65,10 +65,15 @@ std::optional<MoldState> Workbench::shownState() const {
 
 void Workbench::askAnalysis() {
     const SharedMesh mesh = project().cast ? project().cast->mesh : project().part;
-    if (!mesh)
-        return;
-    m_analysis.ask({mesh, project().state, project().design.draftDegrees,
-                    project().cast ? project().cast->labels : SideLabels()});
+    const Project& shown = project();
+    auto& asked = m_analysisAsked;
+    const bool same =
+        asked.mesh == mesh && asked.state == shown.state && asked.draftDegrees == shown.design.draftDegrees;
+    if (!mesh || same)
+        return; // other edits change nothing of it
+    asked = {mesh, shown.state, shown.design.draftDegrees};
+    m_analysis.ask(
+        {mesh, shown.state, shown.design.draftDegrees, shown.cast ? shown.cast->labels : SideLabels()});
 }
 
 bool Workbench::analysisIsCurrent() const {

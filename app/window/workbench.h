@@ -7,6 +7,7 @@
 #include "mold/mold.h"
 #include "panels/message_list.h"
 #include "panels/progress_plots.h"
+#include "scene/lasso.h"
 #include "window/background.h"
 #include "window/display_mode.h"
 #include "window/document.h"
@@ -179,7 +180,8 @@ public:
 
     // Pins
     void addPin(const Eigen::Vector3d& place);
-    void movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey);
+    /// A preview is no step yet.
+    void movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey, bool preview = false);
     void removePin(int pin);
     void clearPins();
     /// Pins from and to the JSON that the command line takes.
@@ -197,6 +199,32 @@ public:
     void acceptSuggestion(int suggestion);
     /// Takes all in view that are ends of limbs.
     void acceptTips();
+
+    // Importance
+    /// The regions with one more stroke over `faces` of the part (ascending) are shown, without a step; see
+    /// stroke().
+    void previewStroke(int region, const std::vector<int>& faces, bool erase);
+    /// Doubles the weight of faces in a region (−1: a new one), or halves it (−1: in all). One undo step.
+    /// Returns the region.
+    int stroke(int region, const std::vector<int>& faces, bool erase);
+    /// The same for the faces seen in a lasso, which are looked for in the background; `then` hears of the
+    /// region.
+    void strokeIn(const scene::Lasso& lasso, int region, bool erase, const std::function<void(int)>& then);
+    void renameRegion(int region, const QString& name);
+    void weighRegion(int region, double weight, bool preview);
+    void limitRegion(int region, double keepWithin, bool preview);
+    void removeRegion(int region);
+    void clearImportance();
+    /// Regions from and to the JSON that the command line takes.
+    void importWeights(const QString& file);
+    void exportWeights(const QString& file);
+    /// How a region came through in the cast; null while none has measured it.
+    [[nodiscard]] const RegionMeasure* measureOf(int region) const;
+    [[nodiscard]] double brushRadius() const; ///< mm over the surface
+    [[nodiscard]] double largestBrush() const;
+    void setBrushRadius(double mm);
+    [[nodiscard]] double creaseDegrees() const { return m_creaseDegrees; }
+    void setCreaseDegrees(double degrees);
 
     // The cast and its mold
     void run();
@@ -246,6 +274,11 @@ private:
     void pullFrames();
     [[nodiscard]] int undercutOf(const UndercutChoice& choice) const;
     void setPins(std::vector<Pin> pins, const QString& words, const QString& mergeKey = {});
+    [[nodiscard]] Project painted(int region, const std::vector<int>& faces, bool erase) const;
+    [[nodiscard]] QString newRegionName() const;
+    void editRegion(int region, const QString& words, const QString& mergeKey, bool preview,
+                    const std::function<void(ImportantRegion&)>& change);
+    void tellOfRegions();
     void askRanks();
     void takeRanks(const RankRequest& request, const std::shared_ptr<const PinSuggestions>& ranked);
     void askAnalysis();
@@ -258,6 +291,11 @@ private:
     Document m_document;
     Background m_background;
     LiveAnalysis m_analysis;
+    struct {
+        SharedMesh mesh;
+        std::optional<MoldState> state;
+        double draftDegrees = 0;
+    } m_analysisAsked; ///< the last request
     MessageModel m_messages;
     std::shared_ptr<const AnalysisAnswer> m_answer;
     LiveAnalysis m_partAnalysis; ///< of the part while its cast is shown beside it
@@ -290,6 +328,8 @@ private:
     SharedMesh m_suggestedPart;
     std::optional<RankRequest> m_ranked; ///< the last one asked
     int m_suggestionCount = 40;
+    std::optional<double> m_brushRadius; ///< mm; none: by the part's size
+    double m_creaseDegrees = 30;
     std::shared_ptr<const Mold> m_mold;
     std::array<scene::SharedDrawnMesh, 2> m_drawnHalves;
     std::shared_ptr<const CastResult> m_moldCast;

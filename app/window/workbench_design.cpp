@@ -28,7 +28,8 @@ DesignRequest requestFor(const Project& project) {
     request.method = project.design.method;
     request.fill = project.design.fill;
     request.pins = project.pins;
-    request.faceWeights = project.faceWeights;
+    request.faceWeights = faceWeights(project.importance, project.part->faceCount());
+    request.regions = keptRegions(project.importance);
     request.seed = project.design.seed;
     return request;
 }

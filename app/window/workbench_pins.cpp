@@ -19,9 +19,13 @@ void Workbench::addPin(const Eigen::Vector3d& place) {
     setPins(std::move(pins), tr("Pin a point"));
 }
 
-void Workbench::movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey) {
+void Workbench::movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey, bool preview) {
     std::vector<Pin> pins = m_document.committed().pins;
     pins.at(static_cast<std::size_t>(pin)).point = place;
+    if (preview) {
+        m_document.preview(withPins(m_document.committed(), std::move(pins)));
+        return;
+    }
     setPins(std::move(pins), tr("Move pin %1").arg(pin + 1), mergeKey);
 }
 

@@ -82,6 +82,7 @@ void Workbench::tellOfCast(const DesignResult& result) {
                                 .arg(result.pins.size())
                                 .arg(farthest->distanceFromPlane, 0, 'f', 3));
     }
+    tellOfRegions();
     say(Standing::Done, tr("Castable: proved at %1°, mean distance to the part %2 % of its diagonal.")
                             .arg(std::floor(10 * result.certificate.worstDraftDegrees) / 10, 0, 'f', 1)
                             .arg(100 * result.change.meanDistance, 0, 'f', 2));

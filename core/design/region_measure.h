@@ -22,6 +22,8 @@ struct RegionMeasure {
     double rmsDistance = 0; ///< mm, root of the mean square
     double strain = 0;      ///< see SurfaceStrain::rms
     bool kept = true;       ///< no point moved farther than allowed
+
+    bool operator==(const RegionMeasure&) const = default;
 };
 
 /// Measures regions. `before`: the surface that was bent, its points where they were before; `sourceFace`:

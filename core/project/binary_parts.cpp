@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 
 namespace moldwright {
 
@@ -122,6 +123,27 @@ std::optional<std::vector<double>> readNumbersPart(const std::string& bytes) {
         !std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))
         return std::nullopt;
     return numbers;
+}
+
+std::string indicesPart(const std::vector<int>& indices) {
+    std::string bytes;
+    appendCount(bytes, static_cast<std::int64_t>(indices.size()));
+    append(bytes, indices.data(), indices.size());
+    return bytes;
+}
+
+std::optional<std::vector<int>> readIndicesPart(const std::string& bytes, int end) {
+    PartReader reader(bytes);
+    const std::int64_t count = reader.count();
+    if (!reader.canHold(count, sizeof(int)))
+        return std::nullopt;
+    std::vector<int> indices(static_cast<std::size_t>(count));
+    reader.read(indices.data(), count);
+    const bool ascend =
+        std::adjacent_find(indices.begin(), indices.end(), std::greater_equal<>()) == indices.end();
+    if (!reader.finished() || !ascend || (count > 0 && (indices.front() < 0 || indices.back() >= end)))
+        return std::nullopt;
+    return indices;
 }
 
 } // namespace moldwright

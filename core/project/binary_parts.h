@@ -22,4 +22,8 @@ namespace moldwright {
 [[nodiscard]] std::string numbersPart(const std::vector<double>& numbers); ///< n, n doubles
 [[nodiscard]] std::optional<std::vector<double>> readNumbersPart(const std::string& bytes);
 
+[[nodiscard]] std::string indicesPart(const std::vector<int>& indices); ///< n, n 32-bit integers
+/// None too where they do not ascend, or one is not below `end`.
+[[nodiscard]] std::optional<std::vector<int>> readIndicesPart(const std::string& bytes, int end);
+
 } // namespace moldwright

@@ -106,6 +106,13 @@ Project withPins(Project project, std::vector<Pin> pins) {
     return project;
 }
 
+Project withImportance(Project project, std::vector<ImportantRegion> regions) {
+    if (!weighAlike(project.importance, regions))
+        project.cast = nullptr;
+    project.importance = std::move(regions);
+    return project;
+}
+
 Project withUndercut(Project project, const Vector3d& place,
                      std::optional<UndercutChoice::Treatment> treatment) {
     std::vector<UndercutChoice> choices = project.undercuts;
@@ -125,8 +132,9 @@ Project withMoldSettings(Project project, const MoldSettings& settings) {
 
 Project withCast(Project project, const DesignResult& result, double draftDegrees) {
     project.state = result.state;
-    project.cast = std::make_shared<const CastResult>(CastResult{
-        result.cast, result.labels, result.state, draftDegrees, result.change, result.limbs, result.before});
+    project.cast = std::make_shared<const CastResult>(CastResult{result.cast, result.labels, result.state,
+                                                                 draftDegrees, result.change, result.limbs,
+                                                                 result.regions, result.before});
     return project;
 }
 

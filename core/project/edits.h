@@ -6,8 +6,8 @@
 namespace moldwright {
 
 /// Edits of a project: pure functions Project → Project. Each also drops what it makes untrue: an edit of the
-/// part, the plane, the directions, the pins, the undercuts or the design settings drops the cast, which no
-/// longer follows from them. An edit that changes nothing returns an equal project.
+/// part, the plane, the directions, the pins, the importance, the undercuts or the design settings drops the
+/// cast, which no longer follows from them. An edit that changes nothing returns an equal project.
 
 /// The mesh as read, brought to millimetres and moved.
 [[nodiscard]] IndexedMesh placed(const IndexedMesh& source, const Placement& placement);
@@ -30,6 +30,8 @@ namespace moldwright {
 
 [[nodiscard]] Project withDesignSettings(Project project, const DesignSettings& settings);
 [[nodiscard]] Project withPins(Project project, std::vector<Pin> pins);
+/// Other regions that are to keep their shape. Names and limits are no part of what a cast follows from.
+[[nodiscard]] Project withImportance(Project project, std::vector<ImportantRegion> regions);
 /// An undercut, known by a place on it, to be treated as chosen; none: by the rule, as all others. A choice
 /// at the same place is replaced.
 [[nodiscard]] Project withUndercut(Project project, const Eigen::Vector3d& place,

@@ -7,8 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -18,8 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kOnSurface = 1e-3;   ///< diagonals that a pin may lie outside: written by hand, or rounded
-constexpr double kMostWeight = 65536; ///< 2^16: more makes the elastic energy's matrix useless
+constexpr double kOnSurface = 1e-3; ///< diagonals that a pin may lie outside: written by hand, or rounded
 
 std::unexpected<Error> refused(std::string text, std::vector<std::string> arguments) {
     return failure(ErrorCode::BadInput, std::move(text), std::move(arguments));
@@ -104,15 +105,52 @@ Result<std::vector<int>> facesOf(const Json& entry, const IndexedMesh& part,
     return facesInBall(part, *centre, *radius);
 }
 
+/// The weight of each of `count` faces of an entry; none where they are anything else.
+std::optional<std::vector<double>> weightsOf(const Json& entry, std::size_t count) {
+    std::vector<double> weights;
+    if (const std::optional<double> weight = numberUnder(entry, "weight"))
+        weights = {*weight};
+    else if (entry.is_object() && entry.contains("faces") && entry.contains("weight") &&
+             entry["weight"].is_array() && entry["weight"].size() == count)
+        for (const Json& number : entry["weight"])
+            weights.push_back(number.is_number() ? number.get<double>() : 0);
+    const bool sound =
+        std::ranges::all_of(weights, [](double weight) { return weight >= 1 && weight <= mostWeight; });
+    if (weights.empty() || !sound)
+        return std::nullopt;
+    weights.resize(count, weights.front());
+    return weights;
+}
+
+/// Faces in their order with their weights; of a face that is listed twice the larger one.
+void setFaces(ImportantRegion& region, const std::vector<int>& faces, const std::vector<double>& weights) {
+    std::map<int, double> weightOf;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        double& here = weightOf[faces[i]];
+        here = std::max(here, weights[i]);
+    }
+    for (const auto& [face, weight] : weightOf) {
+        region.faces.push_back(face);
+        region.weights.push_back(weight);
+    }
+}
+
 /// A region with its name and limit.
-Result<KeptRegion> regionOf(const Json& entry, const IndexedMesh& part,
-                            const std::vector<std::string>& which) {
+Result<ImportantRegion> regionOf(const Json& entry, const IndexedMesh& part,
+                                 const std::vector<std::string>& which) {
     Result<std::vector<int>> faces = facesOf(entry, part, which);
     if (!faces)
         return std::unexpected(faces.error());
+    const std::optional<std::vector<double>> weights = weightsOf(entry, faces->size());
+    if (!weights)
+        return refused(MW_TEXT("Guides",
+                               "{0}: region {1} needs a \"weight\" from 1 (like the rest) to 65536, "
+                               "or with \"faces\" a list of such, one for each."),
+                       which);
     if (faces->empty())
         return refused(MW_TEXT("Guides", "{0}: region {1} has no face of the part in it."), which);
-    KeptRegion region{which[1], std::move(*faces), 0};
+    ImportantRegion region{which[1], {}, {}, 0};
+    setFaces(region, *faces, *weights);
     if (entry.contains("name") && entry["name"].is_string())
         region.name = entry["name"].get<std::string>();
     if (entry.contains("keep_within")) {
@@ -122,7 +160,7 @@ Result<KeptRegion> regionOf(const Json& entry, const IndexedMesh& part,
                                    "{0}: the \"keep_within\" of region {1} has to be a positive number "
                                    "of millimetres."),
                            which);
-        region.within = *within;
+        region.keepWithin = *within;
     }
     return region;
 }
@@ -160,29 +198,36 @@ std::string pinsText(const std::vector<Pin>& pins) {
     return Json{{"pins", std::move(list)}}.dump(1) + '\n';
 }
 
-Result<Importance> readWeights(const std::filesystem::path& file, const IndexedMesh& part) {
+Result<std::vector<ImportantRegion>> readWeights(const std::filesystem::path& file, const IndexedMesh& part) {
     const Result<Json> list = readList(file, "regions");
     if (!list)
         return std::unexpected(list.error());
-    Importance importance;
-    importance.faceWeights.assign(static_cast<std::size_t>(part.faceCount()), 1);
+    std::vector<ImportantRegion> regions;
     for (const Json& entry : *list) {
-        const std::vector<std::string> which = {file.string(), std::to_string(importance.regions.size() + 1)};
-        const std::optional<double> weight = numberUnder(entry, "weight");
-        if (!weight || !(*weight >= 1) || *weight > kMostWeight)
-            return refused(MW_TEXT("Guides", "{0}: region {1} needs a \"weight\" from 1 (like the rest) to "
-                                             "65536."),
-                           which);
-        Result<KeptRegion> region = regionOf(entry, part, which);
+        Result<ImportantRegion> region =
+            regionOf(entry, part, {file.string(), std::to_string(regions.size() + 1)});
         if (!region)
             return std::unexpected(region.error());
-        for (const int f : region->faces) {
-            double& here = importance.faceWeights[static_cast<std::size_t>(f)];
-            here = std::max(here, *weight);
-        }
-        importance.regions.push_back(std::move(*region));
+        regions.push_back(std::move(*region));
     }
-    return importance;
+    return regions;
+}
+
+std::string weightsText(const std::vector<ImportantRegion>& regions) {
+    std::string lines;
+    for (const ImportantRegion& region : regions) {
+        Json entry = {{"name", region.name}};
+        const bool even = std::ranges::all_of(
+            region.weights, [&](double weight) { return weight == region.weights.front(); });
+        entry["weight"] =
+            even && !region.weights.empty() ? Json(region.weights.front()) : Json(region.weights);
+        if (region.keepWithin > 0)
+            entry["keep_within"] = region.keepWithin;
+        entry["faces"] = region.faces;
+        lines +=
+            (lines.empty() ? "\n " : ",\n ") + entry.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+    return "{\"regions\": [" + lines + "\n]}\n";
 }
 
 } // namespace moldwright

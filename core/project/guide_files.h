@@ -3,6 +3,7 @@
 
 #include "base/result.h"
 #include "design/design.h"
+#include "project/importance.h"
 
 #include <filesystem>
 #include <string>
@@ -18,17 +19,16 @@ namespace moldwright {
 /// The text of such a file.
 [[nodiscard]] std::string pinsText(const std::vector<Pin>& pins);
 
-/// What is important of a part.
-struct Importance {
-    std::vector<double> faceWeights; ///< per face of the part
-    std::vector<KeptRegion> regions;
-};
+/// What is important of a part, from a JSON file, {"regions": [{"name": "eye", "centre": [x, y, z],
+/// "radius": r, "weight": w, "keep_within": d}, {"faces": [f, …], "weight": w}, …]}: a region is the faces
+/// with their middle in a ball, mm, or those listed, whose "weight" may be a list too, one number for each.
+/// Where regions overlap the larger weight holds, elsewhere it is 1. Without a name a region has its number;
+/// without keep_within (mm) it is only measured. Errors: BadInput, naming the file, the entry and what is
+/// wrong; a region without a face too.
+[[nodiscard]] Result<std::vector<ImportantRegion>> readWeights(const std::filesystem::path& file,
+                                                               const IndexedMesh& part);
 
-/// Importance from a JSON file, {"regions": [{"name": "eye", "centre": [x, y, z], "radius": r, "weight": w,
-/// "keep_within": d}, {"faces": [f, …], "weight": w}, …]}: a region is the faces with their middle in a ball,
-/// mm, or those listed; where regions overlap the larger weight holds, elsewhere it is 1. Without a name a
-/// region has its number; without keep_within (mm) it is only measured. Errors: BadInput, naming the file,
-/// the entry and what is wrong; a region without a face too.
-[[nodiscard]] Result<Importance> readWeights(const std::filesystem::path& file, const IndexedMesh& part);
+/// The text of such a file: faces listed, one region a line.
+[[nodiscard]] std::string weightsText(const std::vector<ImportantRegion>& regions);
 
 } // namespace moldwright

@@ -5,6 +5,7 @@
 #include "design/design.h"
 #include "mesh/indexed_mesh.h"
 #include "mold/mold.h"
+#include "project/importance.h"
 
 #include <Eigen/Geometry>
 
@@ -47,6 +48,7 @@ struct CastResult {
     double draftDegrees = 1;
     Change change;
     std::vector<LimbMeasure> limbs;
+    std::vector<RegionMeasure> regions; ///< one for each of the project's; none in files of old
     Points before; ///< n×3, mm: where each point of mesh was before it was bent; none in files of old
 };
 
@@ -63,9 +65,9 @@ struct Project {
     bool planeChosenByHand = false;
     DesignSettings design;
     std::vector<Pin> pins;
-    std::vector<UndercutChoice> undercuts;  ///< treated as chosen at the state's plane
-    std::vector<double> faceWeights;        ///< per face of part; empty: all 1
-    std::shared_ptr<const CastResult> cast; ///< none until a design finished
+    std::vector<UndercutChoice> undercuts;   ///< treated as chosen at the state's plane
+    std::vector<ImportantRegion> importance; ///< where the part is to keep its shape
+    std::shared_ptr<const CastResult> cast;  ///< none until a design finished
     MoldSettings mold;
 
     /// Meshes and casts are equal where they are the same.

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 
 namespace moldwright {
@@ -17,12 +18,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* oldWeightsName = "weights.numbers";
 constexpr const char* mimeType = "application/vnd.moldwright.project";
 // More than the largest honest part; a part that inflates beyond is damaged or hostile.
 constexpr std::size_t textLimit = std::size_t{4} << 20;
 constexpr std::size_t pictureLimit = std::size_t{16} << 20;
 constexpr std::size_t meshLimit = std::size_t{1} << 30;
 constexpr std::uintmax_t fileLimit = std::uintmax_t{2} << 30;
+
+/// The part with the faces or weights of an important region.
+std::string regionPartName(std::size_t number, const char* what) {
+    return "importance-" + std::to_string(number + 1) + '.' + what;
+}
 
 Json manifestOf(const Project& project, const std::vector<ArchiveEntry>& parts) {
     const auto counts = [](const IndexedMesh& mesh) {
@@ -139,20 +146,59 @@ Result<void> readDocumentPart(const PartSource& parts, Project& project, std::op
     return {};
 }
 
+bool areWeights(const std::vector<double>& weights, std::size_t count) {
+    return weights.size() == count &&
+           std::ranges::all_of(weights, [](double weight) { return weight >= 1 && weight <= mostWeight; });
+}
+
+Result<void> readRegion(const PartSource& parts, std::size_t number, Project& project) {
+    const std::string facesName = regionPartName(number, "faces");
+    const Result<std::string> bytes = parts.bytes(facesName, meshLimit);
+    if (!bytes)
+        return std::unexpected(bytes.error());
+    std::optional<std::vector<int>> faces = readIndicesPart(*bytes, project.part->faceCount());
+    if (!faces)
+        return damaged(parts.fileName(), facesName);
+    const std::string weightsName = regionPartName(number, "weights");
+    Result<std::vector<double>> weights = parts.part(weightsName, &readNumbersPart);
+    if (!weights)
+        return std::unexpected(weights.error());
+    if (!areWeights(*weights, faces->size()))
+        return damaged(parts.fileName(), weightsName);
+    project.importance[number].faces = *std::move(faces);
+    project.importance[number].weights = *std::move(weights);
+    return {};
+}
+
+/// Files written before regions had names hold a weight for each face.
+Result<void> readOldWeights(const PartSource& parts, Project& project) {
+    const Result<std::vector<double>> weights = parts.part(oldWeightsName, &readNumbersPart);
+    if (!weights)
+        return std::unexpected(weights.error());
+    if (!areWeights(*weights, static_cast<std::size_t>(project.part->faceCount())))
+        return damaged(parts.fileName(), oldWeightsName);
+    ImportantRegion region{"1", {}, {}, 0};
+    for (std::size_t f = 0; f < weights->size(); ++f)
+        if ((*weights)[f] > 1) {
+            region.faces.push_back(static_cast<int>(f));
+            region.weights.push_back((*weights)[f]);
+        }
+    if (!region.faces.empty())
+        project.importance = {std::move(region)};
+    return {};
+}
+
 Result<void> readPart(const PartSource& parts, Project& project) {
     Result<IndexedMesh> source = parts.part("part.mesh", &readMeshPart);
     if (!source)
         return std::unexpected(source.error());
     project.source = std::make_shared<const IndexedMesh>(*std::move(source));
     project.part = std::make_shared<const IndexedMesh>(placed(*project.source, project.placement));
-    if (!parts.has("weights.numbers"))
-        return {};
-    Result<std::vector<double>> weights = parts.part("weights.numbers", &readNumbersPart);
-    if (!weights)
-        return std::unexpected(weights.error());
-    if (weights->size() != static_cast<std::size_t>(project.part->faceCount()))
-        return damaged(parts.fileName(), "weights.numbers");
-    project.faceWeights = *std::move(weights);
+    if (parts.has(oldWeightsName))
+        return readOldWeights(parts, project);
+    for (std::size_t i = 0; i < project.importance.size(); ++i)
+        if (Result<void> done = readRegion(parts, i, project); !done)
+            return done;
     return {};
 }
 
@@ -202,8 +248,10 @@ Result<std::string> projectBytes(const StoredProject& stored) {
     std::vector<ArchiveEntry> entries = {{"document.json", documentJson(project).dump(2) + "\n"}};
     if (project.source)
         entries.push_back({"part.mesh", meshPart(*project.source)});
-    if (!project.faceWeights.empty())
-        entries.push_back({"weights.numbers", numbersPart(project.faceWeights)});
+    for (std::size_t i = 0; i < project.importance.size(); ++i) {
+        entries.push_back({regionPartName(i, "faces"), indicesPart(project.importance[i].faces)});
+        entries.push_back({regionPartName(i, "weights"), numbersPart(project.importance[i].weights)});
+    }
     if (project.cast) {
         entries.push_back({"cast.mesh", meshPart(*project.cast->mesh)});
         entries.push_back({"cast.labels", labelsPart(project.cast->labels)});

@@ -106,6 +106,13 @@ Json json(const CastResult& cast) {
         limbs.push_back({{"tip", json(limb.tip)},
                          {"length_ratio", limb.lengthRatio},
                          {"volume_ratio", limb.volumeRatio}});
+    Json regions = Json::array();
+    for (const RegionMeasure& region : cast.regions)
+        regions.push_back({{"name", region.name},
+                           {"max_distance", region.maxDistance},
+                           {"rms_distance", region.rmsDistance},
+                           {"strain_rms", region.strain},
+                           {"kept", region.kept}});
     return {{"state", json(cast.state)},
             {"draft_deg", cast.draftDegrees},
             {"change",
@@ -113,7 +120,8 @@ Json json(const CastResult& cast) {
               {"max_distance", cast.change.maxDistance},
               {"volume_ratio", cast.change.volumeRatio},
               {"filled_volume_fraction", cast.change.filledVolumeFraction}}},
-            {"limbs", limbs}};
+            {"limbs", limbs},
+            {"regions", regions}};
 }
 CastResult castResult(const Json& j) {
     CastResult cast;
@@ -126,6 +134,11 @@ CastResult castResult(const Json& j) {
     for (const Json& limb : j.at("limbs"))
         cast.limbs.push_back({vector(limb.at("tip")), limb.at("length_ratio").get<double>(),
                               limb.at("volume_ratio").get<double>()});
+    // Files written before regions were measured have none.
+    for (const Json& region : j.value("regions", Json::array()))
+        cast.regions.push_back({region.at("name").get<std::string>(), region.at("max_distance").get<double>(),
+                                region.at("rms_distance").get<double>(),
+                                region.at("strain_rms").get<double>(), region.at("kept").get<bool>()});
     return cast;
 }
 
@@ -146,6 +159,10 @@ nlohmann::ordered_json documentJson(const Project& project) {
     for (const UndercutChoice& choice : project.undercuts)
         document["undercuts"].push_back(
             {{"place", json(choice.place)}, {"treatment", nameOf(choice.treatment, treatmentNames)}});
+    if (!project.importance.empty())
+        document["importance"] = Json::array();
+    for (const ImportantRegion& region : project.importance)
+        document["importance"].push_back({{"name", region.name}, {"keep_within", region.keepWithin}});
     if (project.state)
         document["state"] = json(*project.state);
     if (project.cast)
@@ -167,6 +184,9 @@ void readDocument(const nlohmann::ordered_json& document, Project& project, std:
             project.undercuts.push_back(
                 {vector(choice.at("place")),
                  valueOf<UndercutChoice::Treatment>(choice.at("treatment"), treatmentNames)});
+    for (const Json& region : document.value("importance", Json::array()))
+        project.importance.push_back(
+            {region.at("name").get<std::string>(), {}, {}, region.at("keep_within").get<double>()});
     if (document.contains("state"))
         project.state = moldState(document.at("state"));
     if (document.contains("cast"))

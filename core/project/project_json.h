@@ -7,8 +7,8 @@
 
 namespace moldwright {
 
-/// All of a project but its meshes, labels and weights, as JSON (version 1 of the project file). Doubles keep
-/// every bit.
+/// All of a project but its meshes, labels and the faces of its important regions, as JSON (version 1 of the
+/// project file). Doubles keep every bit.
 [[nodiscard]] nlohmann::ordered_json documentJson(const Project& project);
 
 /// Reads documentJson() back into `project`; `cast` receives what belongs to it, when the document has one.

@@ -7,6 +7,21 @@
 
 namespace moldwright {
 
+namespace {
+
+std::vector<ReportRegion> measuredRegions(const Project& project) {
+    std::vector<ReportRegion> regions;
+    const std::vector<RegionMeasure>& measures = project.cast->regions;
+    // A file of old may hold a cast whose regions were not measured.
+    for (std::size_t i = 0; i < project.importance.size() && i < measures.size(); ++i)
+        if (!project.importance[i].faces.empty())
+            regions.push_back(
+                {project.importance[i].name, measures[i].maxDistance, project.importance[i].keepWithin});
+    return regions;
+}
+
+} // namespace
+
 ReportData projectReport(const Project& project, const Evaluation& evaluation, const std::string& fileHash,
                          const std::string& date) {
     ReportSubject subject;
@@ -24,6 +39,7 @@ ReportData projectReport(const Project& project, const Evaluation& evaluation, c
         subject.draftDegrees = project.cast->draftDegrees;
         subject.change = project.cast->change;
         subject.mold = evaluation.mold;
+        subject.regions = measuredRegions(project);
     }
     return reportData(subject);
 }

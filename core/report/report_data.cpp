@@ -126,6 +126,24 @@ std::vector<ReportCheck> checks(const Mold& mold) {
         {"Both halves are closed, in one piece, and free to move at any distance", mold.problems.empty()}};
 }
 
+/// Those that missed their limit are open items too.
+void addRegions(ReportData& data, const std::vector<ReportRegion>& regions) {
+    for (const ReportRegion& region : regions) {
+        const std::string moved = region.name + ": shape changed by " + figure(region.maxDistance, 2) + " mm";
+        if (region.within <= 0) {
+            data.regions.push_back({moved + ", no limit", true});
+            continue;
+        }
+        const bool holds = region.maxDistance <= region.within;
+        const std::string limit = figure(region.within, 2) + " mm";
+        data.regions.push_back({moved + ", " + limit + " allowed", holds});
+        if (!holds)
+            data.openItems.push_back(moved + ", more than the " + limit + " allowed.");
+    }
+    std::stable_partition(data.regions.begin(), data.regions.end(),
+                          [](const ReportCheck& check) { return !check.holds; });
+}
+
 std::vector<ReportDefault> defaults(const Mold& mold) {
     const MoldSettings usual;
     std::vector<ReportDefault> used;
@@ -199,6 +217,7 @@ ReportData reportData(const ReportSubject& subject) {
         data.openItems.emplace_back(subject.cast ? "Build the mold."
                                                  : "Make the part castable, then build the mold.");
     }
+    addRegions(data, subject.regions);
     return data;
 }
 

@@ -13,6 +13,13 @@
 
 namespace moldwright {
 
+/// An important region as it came through.
+struct ReportRegion {
+    std::string name;
+    double maxDistance = 0; ///< mm that its shape changed
+    double within = 0;      ///< mm that it may; 0: no limit
+};
+
 /// What a report is about. Without a cast or a mold it says what is still missing.
 struct ReportSubject {
     std::string partName;
@@ -25,6 +32,7 @@ struct ReportSubject {
     std::optional<DraftAnalysis> partAnalysis;
     SharedMesh cast;
     std::optional<Change> change;
+    std::vector<ReportRegion> regions;
     std::shared_ptr<const Mold> mold;
 };
 
@@ -77,6 +85,8 @@ struct ReportData {
     std::optional<std::array<DraftBars, 2>> bars;
     std::vector<ReportSection> halves;
     std::vector<ReportCheck> checks;
+    std::vector<ReportCheck>
+        regions; ///< important ones, whether each kept to its limit; those that did not first
     std::vector<ReportDefault> defaults;
     std::vector<std::string> openItems;
 };

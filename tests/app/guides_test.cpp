@@ -17,7 +17,9 @@
 #include "window/document.h"
 #include "window/main_window.h"
 
+#include <QApplication>
 #include <QFile>
+#include <QMouseEvent>
 #include <QSlider>
 #include <QTest>
 
@@ -229,6 +231,60 @@ TEST(Pins, AreSetOnTheSurfaceAndInsideSelectedMovedHiddenAndRemoved) {
 
     driver.window().actions()[QStringLiteral("clear-pins")]->trigger();
     EXPECT_TRUE(pins(driver).empty());
+}
+
+TEST(Pins, AreDraggedOverTheSurfaceAndInsideEachInOneStepAndHiddenOneByOne) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("rabbit"));
+    const SharedMesh part = driver.bench().project().part;
+    const Eigen::Vector3d place = seenPlace(driver, Eigen::Vector3d::Zero());
+    driver.press("P");
+    clickAt(driver, place);
+    driver.press("Esc");
+    ASSERT_EQ(pins(driver).size(), 1U);
+    const Pin before = pins(driver)[0];
+    PartView* view = &driver.window().view();
+    const auto drag = [&](const QPoint& way, bool cancel) {
+        const QPoint from = view->pixelOf(pins(driver)[0].point);
+        QTest::mousePress(view, Qt::LeftButton, {}, from);
+        for (int i = 1; i <= 4; ++i) {
+            const QPoint at = from + way * i / 4;
+            QMouseEvent event(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(view, &event);
+        }
+        if (cancel)
+            driver.press("Esc");
+        QTest::mouseRelease(view, Qt::LeftButton, {}, from + way);
+        QTest::qWait(60);
+    };
+    drag({0, 24}, false);
+    EXPECT_NE(pins(driver)[0], before);
+    const ClosestPoint surface(*part);
+    EXPECT_NEAR(surface.distance(pins(driver)[0].point), 0, 1e-6 * diagonal(*part))
+        << "it stays on the surface";
+    EXPECT_EQ(driver.bench().document().history().steps().size(), 2U);
+    EXPECT_EQ(driver.window().findChild<PropertyPanel*>()->pageId(), QStringLiteral("pin-0"));
+    const Pin dragged = pins(driver)[0];
+    drag({0, -24}, true);
+    EXPECT_EQ(pins(driver)[0], dragged) << "Esc gives the drag up";
+    driver.press("Ctrl+Z");
+    EXPECT_EQ(pins(driver)[0], before);
+
+    // One inside stays inside.
+    driver.press("Del");
+    driver.press("P");
+    clickAt(driver, place, Qt::ShiftModifier);
+    driver.press("Esc");
+    ASSERT_EQ(pins(driver).size(), 1U);
+    drag({0, 16}, false);
+    EXPECT_TRUE(InsideTest(*part).inside(pins(driver)[0].point));
+    EXPECT_GT(surface.distance(pins(driver)[0].point), 1e-3 * diagonal(*part));
+
+    driver.selectRow("pin-0");
+    driver.window().findChild<ProjectTree*>()->setFocus();
+    driver.press("Space");
+    QTest::qWait(50);
+    EXPECT_TRUE(view->scene().pins().pins().pins.empty()) << "its own eye hides it";
 }
 
 TEST(Pins, AreSuggestedTakenByClickRankedAtThePlaneAndKeptInFiles) {

@@ -139,6 +139,10 @@ int main(int argc, char** argv) {
         driver.waitFor(
             [&] { return driver.bench().map(ViewContent::Newest, DisplayMode::UndercutDepth) != nullptr; });
     });
+    driver.press("B");
+    const QPoint onTop = view.pixelOf(Eigen::Vector3d(0, -30, 10));
+    measure("paint a stroke", gap, driver, [&] { drag(view, onTop, {60, 10}, Qt::LeftButton, {}); });
+    driver.press("Esc");
     measure("section", gap, driver, [&] { driver.press("C"); });
     measure("move the section", gap, driver, [&] {
         auto* slider = driver.window().findChild<QSlider*>(QStringLiteral("view-1-section-slider"));

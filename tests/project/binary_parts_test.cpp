@@ -48,3 +48,12 @@ TEST(BinaryParts, IndicesAndNumbersAreChecked) {
     EXPECT_FALSE(readMeshPart(meshPart(cube)).has_value());
     EXPECT_FALSE(readNumbersPart(numbersPart({1, std::numeric_limits<double>::infinity()})).has_value());
 }
+
+TEST(BinaryParts, IndicesComeBackWhereTheyAscendBelowTheirEnd) {
+    EXPECT_EQ(readIndicesPart(indicesPart({0, 4, 9}), 10), std::vector({0, 4, 9}));
+    EXPECT_EQ(readIndicesPart(indicesPart({}), 0), std::vector<int>());
+    EXPECT_FALSE(readIndicesPart(indicesPart({0, 4, 9}), 9));
+    EXPECT_FALSE(readIndicesPart(indicesPart({4, 4}), 10));
+    EXPECT_FALSE(readIndicesPart(indicesPart({-1, 4}), 10));
+    EXPECT_FALSE(readIndicesPart(indicesPart({1, 4}).substr(1), 10));
+}

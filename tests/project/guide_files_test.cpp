@@ -24,6 +24,13 @@ Result<std::vector<Pin>> readText(const std::string& text) {
     return readPins(file, cube());
 }
 
+Result<std::vector<ImportantRegion>> readWeightsText(const std::string& text) {
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "weights.json";
+    std::ofstream(file) << text;
+    return readWeights(file, cube());
+}
+
 } // namespace
 
 TEST(GuideFiles, PinsComeBackToTheBit) {
@@ -45,4 +52,28 @@ TEST(GuideFiles, APinOutsideThePartIsRefusedWithItsDistance) {
 TEST(GuideFiles, WhatIsNoListOfPinsIsRefused) {
     for (const char* text : {"", "[1, 2]", "{\"pins\": 3}", "{\"pins\": [{\"point\": [1, 2]}]}"})
         EXPECT_FALSE(readText(text)) << text;
+}
+
+TEST(GuideFiles, RegionsComeBackToTheBit) {
+    const std::vector<ImportantRegion> regions = {{"left \"eye\"", {0, 3, 7}, {2, 16, 1.0 / 3 + 1}, 0.1},
+                                                  {"Logo ∅", {1, 2}, {4, 4}, 0}};
+    const Result<std::vector<ImportantRegion>> read = readWeightsText(weightsText(regions));
+    ASSERT_TRUE(read) << read.error().english();
+    EXPECT_EQ(*read, regions);
+    EXPECT_TRUE(readWeightsText(weightsText({}))->empty());
+}
+
+TEST(GuideFiles, OfAFaceListedTwiceTheLargerWeightHolds) {
+    const auto read = readWeightsText(R"({"regions": [{"faces": [5, 1, 5], "weight": [2, 3, 8]}]})");
+    ASSERT_TRUE(read) << read.error().english();
+    EXPECT_EQ(*read, (std::vector<ImportantRegion>{{"1", {1, 5}, {3, 8}, 0}}));
+}
+
+TEST(GuideFiles, WeightsThatDoNotFitTheirFacesAreRefused) {
+    for (const char* weight : {"0.5", "70000", "[2]", "[2, 3, 4]", "[2, 0]", "[2, \"x\"]", "\"2\""}) {
+        const auto read =
+            readWeightsText(std::string(R"({"regions": [{"faces": [0, 1], "weight": )") + weight + "}]}");
+        ASSERT_FALSE(read) << weight;
+        EXPECT_NE(read.error().english().find("weight"), std::string::npos);
+    }
 }

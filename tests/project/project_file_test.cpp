@@ -2,10 +2,13 @@
 #include "project/project_file.h"
 
 #include "project/archive.h"
+#include "project/binary_parts.h"
+#include "project/project_json.h"
 #include "project/some_project.h"
 #include "support/folders.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <random>
@@ -51,6 +54,32 @@ TEST(ProjectFile, KeepsAnEmptyProject) {
 TEST(ProjectFile, EqualProjectsGiveEqualBytes) {
     EXPECT_EQ(bytesOf(stored), bytesOf(stored));
     EXPECT_EQ(bytesOf(readProjectBytes(bytesOf(stored), "a").value()), bytesOf(stored));
+}
+
+TEST(ProjectFile, WeightsOfFilesWithoutNamesBecomeARegion) {
+    Project project = stored.project;
+    project.importance.clear();
+    const std::string manifest =
+        R"({"format": "moldwright-project", "version": 1, "minReader": 1, "name": "x", "part": {}})";
+    std::vector<double> weights(static_cast<std::size_t>(project.part->faceCount()), 1);
+    weights[2] = 4;
+    weights[5] = 1.5;
+    const auto bytesWith = [&](const std::vector<double>& numbers) {
+        Project bare = project;
+        bare.cast = nullptr;
+        return archiveBytes({{"mimetype", "application/vnd.moldwright.project", true},
+                             {"manifest.json", manifest},
+                             {"document.json", documentJson(bare).dump()},
+                             {"part.mesh", meshPart(*project.source)},
+                             {"weights.numbers", numbersPart(numbers)}})
+            .value();
+    };
+    const Result<StoredProject> back = readProjectBytes(bytesWith(weights), "old.moldwright");
+    ASSERT_TRUE(back.has_value()) << message(back);
+    EXPECT_EQ(back->project.importance, (std::vector<ImportantRegion>{{"1", {2, 5}, {4, 1.5}, 0}}));
+    weights.pop_back();
+    EXPECT_NE(message(readProjectBytes(bytesWith(weights), "old.moldwright")).find("weights.numbers"),
+              std::string::npos);
 }
 
 TEST(ProjectFile, BeginsWithItsTypeAsPlainBytes) {

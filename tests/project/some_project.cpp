@@ -19,7 +19,7 @@ bool equal(const std::shared_ptr<const CastResult>& a, const std::shared_ptr<con
     return equal(a->mesh, b->mesh) && a->labels == b->labels && a->state == b->state &&
            a->draftDegrees == b->draftDegrees && a->change.meanDistance == b->change.meanDistance &&
            a->change.filledVolumeFraction == b->change.filledVolumeFraction &&
-           a->before.rows() == b->before.rows() && a->before == b->before &&
+           a->before.rows() == b->before.rows() && a->before == b->before && a->regions == b->regions &&
            a->limbs.size() == b->limbs.size() &&
            (a->limbs.empty() || (a->limbs.back().tip == b->limbs.back().tip &&
                                  a->limbs.back().volumeRatio == b->limbs.back().volumeRatio));
@@ -44,7 +44,7 @@ Project someProject() {
     project.pins = {{{0.1, 0.2, 0.3}}, {{-1, 2, 1e-17}}};
     project.undercuts = {{{1, -2, 0.25}, UndercutChoice::Treatment::Fill},
                          {{3, 4, 5}, UndercutChoice::Treatment::Bend}};
-    project.faceWeights.assign(static_cast<std::size_t>(cast.mesh.faceCount()), 1.1);
+    project.importance = {{"eye", {0, 3, 4}, {2, 16, 1.5}, 0.25}, {"Logo ∅", {1}, {1}, 0}};
     project.mold.wall = 4;
     project.mold.floor = 3;
     project.mold.ceiling = 6;
@@ -61,6 +61,7 @@ Project someProject() {
                                                       2.5,
                                                       {0.01, 0.02, 1.1, 0.03},
                                                       {{{1, 2, 3}, 0.9, 0.8}},
+                                                      {{"eye", 0.5, 0.25, 0.01, false}, {"Logo ∅", 1, 0.5}},
                                                       1.01 * cast.mesh.V});
     return project;
 }
@@ -69,7 +70,7 @@ bool equal(const Project& a, const Project& b) {
     return a.name == b.name && a.sourceFile == b.sourceFile && equal(a.source, b.source) &&
            a.placement == b.placement && equal(a.part, b.part) && a.state == b.state &&
            a.planeChosenByHand == b.planeChosenByHand && a.design == b.design && a.pins == b.pins &&
-           a.undercuts == b.undercuts && a.faceWeights == b.faceWeights && equal(a.cast, b.cast) &&
+           a.undercuts == b.undercuts && a.importance == b.importance && equal(a.cast, b.cast) &&
            a.mold == b.mold;
 }
 

@@ -75,6 +75,19 @@ TEST(ReportData, OfAProvedMold) {
         EXPECT_TRUE(check.holds) << check.text;
 }
 
+TEST(ReportData, TellsOfImportantRegionsAndWhichMissedTheirLimit) {
+    ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+    subject.regions = {{"eye", 0.12, 0.2}, {"logo", 0.5, 0.25}, {"nose", 3, 0}};
+    const ReportData data = reportData(subject);
+    ASSERT_EQ(data.regions.size(), 3U);
+    EXPECT_FALSE(data.regions[0].holds);
+    EXPECT_TRUE(data.regions[1].holds);
+    EXPECT_EQ(data.regions[1].text, "eye: shape changed by 0.12 mm, 0.20 mm allowed");
+    EXPECT_TRUE(data.regions[2].holds);
+    ASSERT_EQ(data.openItems.size(), 1U);
+    EXPECT_EQ(data.openItems[0], "logo: shape changed by 0.50 mm, more than the 0.25 mm allowed.");
+}
+
 TEST(ReportData, NamesWhatDoesNotHold) {
     const ReportData data = reportData(subjectWith(frusta(20, 10, 5, 3, 0)));
     EXPECT_FALSE(data.proved);

@@ -21,7 +21,7 @@ TEST(PinLayer, TheNearestPinIsFoundAndPinsComeBeforeSuggestedOnes) {
     layer.addTo(renderer);
     layer.setLook(lightColours(), 1);
     ShownPins pins;
-    pins.pins = {{Vector3d(0, 0, 0), Vector3d(0, 0, -5), false}, {Vector3d(10, 0, 0), {}, true}};
+    pins.pins = {{0, Vector3d(0, 0, 0), Vector3d(0, 0, -5), false}, {1, Vector3d(10, 0, 0), {}, true}};
     pins.suggested = {Vector3d(0, 0, 0.2), Vector3d(0, 0, 10)};
     layer.set(pins);
     const Camera camera = lookingFrom({}, -Vector3d::UnitY());

@@ -2,6 +2,7 @@
 #include "scene/colours.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace moldwright::scene {
 
@@ -62,6 +63,16 @@ const std::array<Rgb, 7>& draftClassColours() {
                                                    Rgb::hex(0xDE8B34), Rgb::hex(0x93C0E0), Rgb::hex(0xBDDCF0),
                                                    Rgb::hex(0xE9F4FB)};
     return colours;
+}
+
+const std::array<Rgb, 5>& importanceColours() {
+    static constexpr std::array<Rgb, 5> colours = {Rgb::hex(0xD8CBF0), Rgb::hex(0xB59BE2), Rgb::hex(0x8F6CCB),
+                                                   Rgb::hex(0x6A43AB), Rgb::hex(0x452480)};
+    return colours;
+}
+
+int importanceClass(double weight) {
+    return weight > 1 ? std::clamp(static_cast<int>(std::lround(std::log2(weight))), 1, 5) : 0;
 }
 
 std::vector<Rgb> undercutColours(const std::vector<std::uint8_t>& violating, const SceneColours& colours) {

@@ -57,6 +57,12 @@ struct SceneColours {
 /// required to 3, 3 to 10, above. Lightness rises all the way, so that a grey print reads.
 [[nodiscard]] const std::array<Rgb, 7>& draftClassColours();
 
+/// Importance of 2, 4, 8, 16 and 32 or more: darker is heavier.
+[[nodiscard]] const std::array<Rgb, 5>& importanceColours();
+
+/// Class of a weight: 0 for plain, else 1 … 5 by how often it was doubled.
+[[nodiscard]] int importanceClass(double weight);
+
 /// A colour per face: that of undercuts where `violating` is 1, else the part's.
 [[nodiscard]] std::vector<Rgb> undercutColours(const std::vector<std::uint8_t>& violating,
                                                const SceneColours& colours);

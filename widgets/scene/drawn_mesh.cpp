@@ -4,6 +4,7 @@
 #include "mesh/cluster.h"
 #include "mesh/measures.h"
 #include "scene/shading.h"
+#include "scene/value_scale.h"
 
 #include <vtkTypeInt32Array.h>
 
@@ -100,6 +101,7 @@ SharedDrawnMesh completed(const SharedDrawnMesh& sketch) {
         return sketch;
     auto drawn = std::make_shared<DrawnMesh>(*sketch);
     drawn->blocks = blocksOf(*sketch->mesh);
+    drawn->standInFaces = nearestFaces(*sketch->mesh, *sketch->standIn->mesh);
     return drawn;
 }
 

@@ -30,6 +30,8 @@ struct DrawnMesh {
     Eigen::AlignedBox3d box; ///< mm
     std::vector<Block> blocks;
     std::shared_ptr<const DrawnMesh> standIn; ///< coarser, for while something moves; null for a small mesh
+    std::vector<int> standInFaces; ///< for each of its faces the mesh's face nearest to its middle; none
+                                   ///< while sketched
 
     /// Whether only the stand-in can be drawn.
     [[nodiscard]] bool sketched() const { return standIn && blocks.empty(); }

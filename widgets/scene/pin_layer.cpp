@@ -112,7 +112,7 @@ std::optional<PinAt> PinLayer::at(const Camera& camera, ViewSize view, double x,
     for (std::size_t i = 0; i < m_pins.pins.size(); ++i)
         if (const double distance = away(m_pins.pins[i].place); distance <= least) {
             least = distance;
-            nearest = PinAt{false, static_cast<int>(i)};
+            nearest = PinAt{false, m_pins.pins[i].number};
         }
     for (std::size_t i = 0; i < m_pins.suggested.size() && (!nearest || nearest->suggested); ++i)
         if (const double distance = away(m_pins.suggested[i]); distance <= least) {

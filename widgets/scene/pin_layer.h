@@ -22,6 +22,7 @@ namespace moldwright::scene {
 
 /// A pin, and where the parting plane would have it.
 struct ShownPin {
+    int number = 0;                         ///< which one it is
     Eigen::Vector3d place;                  ///< mm
     std::optional<Eigen::Vector3d> onPlane; ///< mm; none without a plane
     bool chosen = false;
@@ -37,7 +38,7 @@ struct ShownPins {
     bool operator==(const ShownPins&) const = default;
 };
 
-/// A pin or a suggested one, by its number among those shown.
+/// A pin by its number, or a suggested one by its number among those shown.
 struct PinAt {
     bool suggested = false;
     int number = 0;

@@ -64,6 +64,7 @@ Scene::Scene()
     m_front->AddActor(m_filling.actor());
     m_front->AddViewProp(m_path.actor());
     m_pins.addTo(m_front);
+    m_brush.addTo(m_front);
     m_overlay.addTo(m_front);
     addLights(m_back);
     addLights(m_front);
@@ -97,6 +98,7 @@ void Scene::setLook(const SceneColours& colours, double scale) {
     m_cones[1].setLook(colours.side2, scale);
     m_path.setLook(colours.accent, 1.8 * scale);
     m_pins.setLook(colours, scale);
+    m_brush.setScale(scale);
     m_filling.setColour(colours.accent);
     m_cube.setLook(colours, m_words, scale);
     m_overlay.setColours(colours, scale);

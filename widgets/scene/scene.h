@@ -3,6 +3,7 @@
 
 #include "castability/mold_state.h"
 #include "scene/arrow_layer.h"
+#include "scene/brush_layer.h"
 #include "scene/camera.h"
 #include "scene/colours.h"
 #include "scene/cone_layer.h"
@@ -93,6 +94,9 @@ public:
     void setStateChip(const PanelContent& content) { m_overlay.setState(content); }
     /// Lines from place to place, as measured.
     void setPath(const std::vector<Eigen::Vector3d>& places) { m_path.set(places); }
+    /// The line under the hand that paints.
+    void setBrush(const std::vector<Eigen::Vector3d>& places) { m_brush.set(places); }
+    [[nodiscard]] const BrushLayer& brush() const { return m_brush; }
     /// Walls that filling would make, drawn as glass; null for none.
     void setFilling(const SharedMesh& walls) { m_filling.set(walls); }
     [[nodiscard]] const SharedMesh& filling() const { return m_filling.walls(); }
@@ -156,6 +160,7 @@ private:
     bool m_conesShown = false;
     std::array<Eigen::Vector3d, 2> m_arrowTips{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     PathLayer m_path;
+    BrushLayer m_brush;
     PinLayer m_pins;
     FillingLayer m_filling;
     OrientationCube m_cube;

@@ -11,6 +11,7 @@
 #include <vtkStaticCellLocator.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace moldwright::scene {
@@ -88,6 +89,15 @@ std::optional<Eigen::Vector3d> SurfacePicker::middleBelow(const Hit& hit, const 
     if (!out)
         return std::nullopt;
     return (hit.point + out->point) / 2;
+}
+
+double SurfacePicker::distance(const Eigen::Vector3d& point) const {
+    Eigen::Vector3d nearest;
+    vtkIdType face = -1;
+    int part = 0;
+    double squared = 0;
+    m_locator->cells->FindClosestPoint(point.data(), nearest.data(), face, part, squared);
+    return std::sqrt(squared);
 }
 
 std::optional<double> SurfacePicker::thickness(const Hit& hit) const {

@@ -32,6 +32,9 @@ public:
     /// pointer the one farthest inside. None where it does not leave.
     [[nodiscard]] std::optional<Eigen::Vector3d> middleBelow(const Hit& hit, const Ray& ray) const;
 
+    /// How far a point is from the surface, mm.
+    [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
+
     /// How thick the solid is below a hit on a face, square to the face, mm.
     [[nodiscard]] std::optional<double> thickness(const Hit& hit) const;
 

@@ -56,8 +56,7 @@ ValueScale scaleFor(std::span<const double> values) {
     return {10 * power};
 }
 
-std::vector<double> carriedOver(const IndexedMesh& from, std::span<const double> values,
-                                const IndexedMesh& to) {
+std::vector<int> nearestFaces(const IndexedMesh& from, const IndexedMesh& to) {
     const vtkNew<vtkPoints> middles;
     middles->SetDataTypeToDouble();
     middles->SetNumberOfPoints(from.faceCount());
@@ -68,10 +67,18 @@ std::vector<double> carriedOver(const IndexedMesh& from, std::span<const double>
     const vtkNew<vtkStaticPointLocator> nearest;
     nearest->SetDataSet(cloud);
     nearest->BuildLocator();
-    std::vector<double> carried(static_cast<std::size_t>(to.faceCount()));
+    std::vector<int> faces(static_cast<std::size_t>(to.faceCount()));
     for (int f = 0; f < to.faceCount(); ++f)
-        carried[static_cast<std::size_t>(f)] =
-            values[static_cast<std::size_t>(nearest->FindClosestPoint(middleOf(to, f).data()))];
+        faces[static_cast<std::size_t>(f)] =
+            static_cast<int>(nearest->FindClosestPoint(middleOf(to, f).data()));
+    return faces;
+}
+
+std::vector<double> carriedOver(const IndexedMesh& from, std::span<const double> values,
+                                const IndexedMesh& to) {
+    std::vector<double> carried;
+    for (const int f : nearestFaces(from, to))
+        carried.push_back(values[static_cast<std::size_t>(f)]);
     return carried;
 }
 

@@ -28,6 +28,10 @@ struct ValueScale {
 /// below its end.
 [[nodiscard]] ValueScale scaleFor(std::span<const double> values);
 
+/// For each face of `to`, a coarser mesh of the same surface, the face of `from` nearest to its middle.
+/// O(m log m).
+[[nodiscard]] std::vector<int> nearestFaces(const IndexedMesh& from, const IndexedMesh& to);
+
 /// Values of `from`'s faces carried over to the faces of `to`, a coarser mesh of the same surface: each takes
 /// that of the face nearest to its middle. O(m log m).
 [[nodiscard]] std::vector<double> carriedOver(const IndexedMesh& from, std::span<const double> values,

@@ -2,9 +2,7 @@
 #include "view/part_view.h"
 
 #include <QGuiApplication>
-#include <QMouseEvent>
 #include <QStyle>
-#include <QWheelEvent>
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
@@ -15,21 +13,10 @@ namespace moldwright {
 
 namespace {
 
-constexpr double clickReach = 4;        ///< logical pixels a click may wander
-constexpr double gripReach = 12;        ///< logical pixels about a grip
-constexpr double turnPerPixel = 0.0085; ///< radians
-constexpr double zoomPerPixel = 1.006;
-constexpr double zoomPerNotch = 1.15;
 constexpr int settleMilliseconds = 250;
 constexpr std::chrono::milliseconds smooth(60);  ///< a picture that takes longer makes movements jerk
 constexpr std::chrono::milliseconds flowing(25); ///< one that takes less can be as fine as it likes
 const Eigen::Vector3d homeDirection(0.75, -1, 0.6);
-
-scene::Held heldNow(Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
-    return {buttons.testFlag(Qt::LeftButton),   buttons.testFlag(Qt::MiddleButton),
-            buttons.testFlag(Qt::RightButton),  keys.testFlag(Qt::ShiftModifier),
-            keys.testFlag(Qt::ControlModifier), keys.testFlag(Qt::AltModifier)};
-}
 
 } // namespace
 
@@ -180,7 +167,9 @@ void PartView::setEditable(bool editable) {
 }
 
 void PartView::setPicking(Picking picking) {
+    cancelDrag();
     m_picking = picking;
+    m_scene.setBrush({});
     updatePointer();
 }
 
@@ -217,184 +206,6 @@ QPoint PartView::gripPixel(scene::Grip grip) const {
 QPoint PartView::pixelOf(const Eigen::Vector3d& place) const {
     const Eigen::Vector3d at = m_camera.project(place, viewSize()) / devicePixelRatioF();
     return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
-}
-
-void PartView::mousePressEvent(QMouseEvent* event) {
-    const Eigen::Vector2d at = pixel(event->position());
-    if (event->buttons() == event->button()) {
-        m_pressed = at;
-        m_dragged = false;
-    }
-    m_last = at;
-    m_pivot = pivotAt(at);
-    if (event->button() == Qt::LeftButton && event->buttons() == Qt::LeftButton)
-        leftPressed(at);
-    else
-        cancelDrag();
-    event->accept();
-}
-
-void PartView::leftPressed(const Eigen::Vector2d& at) {
-    if (const auto direction = m_scene.cube().viewAt(m_camera, viewSize(), at.x(), at.y())) {
-        m_dragged = true; // the cube has had this press
-        lookFrom(*direction);
-        return;
-    }
-    if (const auto grip = gripUnder(at); grip && m_picking == Picking::Nothing) {
-        takeHold(*grip, at);
-        updatePointer();
-    }
-}
-
-void PartView::takeHold(scene::Grip grip, const Eigen::Vector2d& at) {
-    m_hovered = grip;
-    if (grip == scene::Grip::Direction1 || grip == scene::Grip::Direction2) {
-        const int side = grip == scene::Grip::Direction1 ? 1 : 2;
-        m_drag = scene::DirectionDrag{
-            *m_scene.state(), side,  m_scene.middle(), m_scene.arrowTip(side), m_scene.directionLimits(),
-            at.x(),           at.y()};
-    } else {
-        m_drag = scene::PlaneDrag{*m_scene.state(), m_scene.rectangle(), grip, at.x(), at.y()};
-    }
-}
-
-MoldState PartView::dragged(const Eigen::Vector2d& to, bool coarse) const {
-    return std::visit(
-        [&](const auto& drag) { return drag.moved(m_camera, viewSize(), to.x(), to.y(), coarse); }, *m_drag);
-}
-
-void PartView::mouseMoveEvent(QMouseEvent* event) {
-    const Eigen::Vector2d at = pixel(event->position());
-    if (event->buttons() == Qt::NoButton) {
-        hover(at);
-        return;
-    }
-    m_dragged = m_dragged || (at - m_pressed).norm() > clickReach * devicePixelRatioF();
-    if (m_drag && m_dragged) {
-        moving();
-        Q_EMIT dragPreviewed(dragged(at, event->modifiers().testFlag(Qt::ControlModifier)), *m_hovered);
-    } else if (m_dragged)
-        moveCamera(m_navigation->motionFor(heldNow(event->buttons(), event->modifiers())), m_last, at);
-    m_last = at;
-    event->accept();
-}
-
-void PartView::hover(const Eigen::Vector2d& at) {
-    if (m_picking == Picking::Place)
-        Q_EMIT pointHovered(hitAt(at));
-    const auto grip = gripUnder(at);
-    if (grip == m_hovered)
-        return;
-    m_hovered = grip;
-    m_scene.setGrips(m_editable, grip);
-    updatePointer();
-    redraw();
-}
-
-void PartView::leaveEvent(QEvent* event) {
-    if (m_hovered && !m_drag) {
-        m_hovered.reset();
-        m_scene.setGrips(m_editable, m_hovered);
-        redraw();
-    }
-    RenderView::leaveEvent(event);
-}
-
-void PartView::moveCamera(scene::Motion motion, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-    const Eigen::Vector2d way = (to - from) / devicePixelRatioF();
-    switch (motion) {
-    case scene::Motion::Orbit:
-        setCamera(scene::orbited(m_camera, m_pivot, -way.x() * turnPerPixel, -way.y() * turnPerPixel));
-        break;
-    case scene::Motion::Pan:
-        setCamera(scene::panned(m_camera, to.x() - from.x(), to.y() - from.y(), viewSize()));
-        break;
-    case scene::Motion::Zoom:
-        setCamera(scene::zoomedAt(m_camera, std::pow(zoomPerPixel, -way.y()), m_pressed.x(), m_pressed.y(),
-                                  viewSize()));
-        break;
-    case scene::Motion::None:
-        break;
-    }
-}
-
-void PartView::mouseReleaseEvent(QMouseEvent* event) {
-    const Eigen::Vector2d at = pixel(event->position());
-    if (event->button() == Qt::LeftButton && m_drag) {
-        const MoldState state = dragged(at, event->modifiers().testFlag(Qt::ControlModifier));
-        m_drag.reset();
-        updatePointer();
-        if (m_dragged)
-            Q_EMIT dragCommitted(state, *m_hovered);
-    } else if (event->button() == Qt::LeftButton && !m_dragged) {
-        clicked(at, event->modifiers());
-    } else if (event->button() == Qt::RightButton && !m_dragged) {
-        Q_EMIT menuRequested(event->globalPosition().toPoint());
-    }
-    event->accept();
-}
-
-void PartView::clicked(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys) {
-    const bool pinning = m_picking == Picking::Pin || m_picking == Picking::PinInside;
-    if ((pinning || m_picking == Picking::Nothing) && clickedMark(at))
-        return;
-    if (pinning) {
-        placePin(at, (m_picking == Picking::PinInside) != keys.testFlag(Qt::ShiftModifier));
-        return;
-    }
-    const auto hit = m_picking == Picking::Nothing ? std::nullopt : hitAt(at);
-    if (hit && m_picking == Picking::Place)
-        Q_EMIT pointClicked(*hit);
-    else if (hit && hit->face >= 0)
-        Q_EMIT faceClicked(hit->face);
-}
-
-bool PartView::clickedMark(const Eigen::Vector2d& at) {
-    const double reach = gripReach * devicePixelRatioF();
-    if (const auto pin = m_scene.pins().at(m_camera, viewSize(), at.x(), at.y(), reach)) {
-        Q_EMIT pinClicked(*pin);
-        return true;
-    }
-    const int chip = m_scene.overlay().markAt(m_camera, viewSize(), at.x(), at.y(), reach);
-    if (chip >= 0)
-        Q_EMIT markClicked(chip);
-    return chip >= 0;
-}
-
-void PartView::placePin(const Eigen::Vector2d& at, bool inside) {
-    const auto hit = hitAt(at);
-    if (!hit)
-        return;
-    const auto middle =
-        inside ? m_picker->middleBelow(*hit, m_camera.rayAt(at.x(), at.y(), viewSize())) : std::nullopt;
-    Q_EMIT pinPlaced(middle.value_or(hit->point));
-}
-
-bool PartView::cancelDrag() {
-    if (!m_drag)
-        return false;
-    m_drag.reset();
-    m_dragged = true;
-    updatePointer();
-    Q_EMIT dragCancelled();
-    return true;
-}
-
-void PartView::wheelEvent(QWheelEvent* event) {
-    const Eigen::Vector2d at = pixel(event->position());
-    const scene::Motion motion = m_navigation->wheelFor(heldNow(event->buttons(), event->modifiers()));
-    const QPoint fine = event->pixelDelta();
-    const Eigen::Vector2d way = fine.isNull()
-                                    ? Eigen::Vector2d(event->angleDelta().x(), event->angleDelta().y()) / 4
-                                    : Eigen::Vector2d(fine.x(), fine.y());
-    if (motion == scene::Motion::Zoom) {
-        const double notches = fine.isNull() ? event->angleDelta().y() / 120.0 : fine.y() / 60.0;
-        setCamera(scene::zoomedAt(m_camera, std::pow(zoomPerNotch, notches), at.x(), at.y(), viewSize()));
-    } else {
-        m_pivot = pivotAt(at);
-        moveCamera(motion, at, at + way * devicePixelRatioF());
-    }
-    event->accept();
 }
 
 } // namespace moldwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/direction_handle.h"
+#include "scene/lasso.h"
 #include "scene/navigation.h"
 #include "scene/scene.h"
 #include "scene/surface_picker.h"
@@ -15,6 +16,7 @@
 #include <optional>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace moldwright {
 
@@ -40,10 +42,13 @@ public:
     /// Whether grips of plane and directions are shown and can be dragged.
     void setEditable(bool editable);
     /// What a click on the surface means, under a crossing pointer: faceClicked(), pointClicked(), or
-    /// pinPlaced() on the surface or inside (Shift: the other way).
-    enum class Picking { Nothing, Face, Place, Pin, PinInside };
+    /// pinPlaced() on the surface or inside (Shift: the other way). A stroke is drawn over the surface, by
+    /// the arrow keys and Return too; a lasso around what is seen.
+    enum class Picking { Nothing, Face, Place, Pin, PinInside, Stroke, Lasso };
     void setPicking(Picking picking);
     [[nodiscard]] Picking picking() const { return m_picking; }
+    /// The circle shown under a hand that draws strokes, mm; 0: none.
+    void setBrushRadius(double radius);
 
     [[nodiscard]] const scene::Camera& camera() const { return m_camera; }
     void setPerspective(bool perspective);
@@ -60,7 +65,7 @@ public:
     void lookFromOpposite();
     void frame(const Eigen::AlignedBox3d& box);
 
-    /// Gives up a drag of a grip; returns whether there was one.
+    /// Gives up a drag of a grip, a stroke or a lasso; returns whether there was one.
     bool cancelDrag();
 
     /// A pixel of this widget where a point of the scene is, mm.
@@ -80,6 +85,19 @@ Q_SIGNALS:
     void pointHovered(const std::optional<moldwright::scene::SurfacePicker::Hit>& hit);
     /// A place for a pin was clicked, mm: on the surface, or as far inside as can be under the pointer.
     void pinPlaced(const Eigen::Vector3d& place);
+    /// A stroke over the surface; `inverted`: with Ctrl. All places that the pointer passes are told.
+    void strokeBegan(const moldwright::scene::SurfacePicker::Hit& hit, bool inverted);
+    void strokeWentOn(const std::vector<moldwright::scene::SurfacePicker::Hit>& hits);
+    void strokeEnded();
+    void strokeCancelled();
+    /// The brush is wanted larger by a factor.
+    void brushScaled(double factor);
+    void lassoDrawn(const moldwright::scene::Lasso& lasso, bool inverted);
+    /// A pin of the scene is dragged: the ray under the pointer, and the surface there; then let go, or not.
+    void pinDragged(int pin, const moldwright::scene::Ray& ray,
+                    const moldwright::scene::SurfacePicker::Hit& hit);
+    void pinDropped(int pin);
+    void pinDragCancelled();
     /// A pin of the scene was clicked.
     void pinClicked(const moldwright::scene::PinAt& pin);
     /// The mark of a chip was clicked.
@@ -98,6 +116,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
@@ -109,7 +128,13 @@ private:
     [[nodiscard]] std::optional<scene::SurfacePicker::Hit> hitAt(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] Eigen::Vector3d pivotAt(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] std::optional<scene::Grip> gripUnder(const Eigen::Vector2d& pixel) const;
-    void leftPressed(const Eigen::Vector2d& at);
+    void leftPressed(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys);
+    void beginPainting(const Eigen::Vector2d& at, bool inverted);
+    void paintTo(const Eigen::Vector2d& at);
+    void endPainting();
+    void showBrush(const Eigen::Vector2d& at);
+    void showLasso();
+    void dragPin(const Eigen::Vector2d& to);
     void clicked(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys);
     [[nodiscard]] bool clickedMark(const Eigen::Vector2d& at);
     void placePin(const Eigen::Vector2d& at, bool inside);
@@ -124,6 +149,8 @@ private:
     void setCamera(const scene::Camera& camera);
     void stepCamera(const scene::Camera& camera);
     void updatePointer();
+
+    static constexpr double gripReach = 12; ///< logical pixels about a grip
 
     scene::Scene m_scene;
     scene::Camera m_camera;
@@ -141,6 +168,11 @@ private:
     bool m_editable = false;
     Picking m_picking = Picking::Nothing;
     std::optional<std::variant<scene::PlaneDrag, scene::DirectionDrag>> m_drag;
+    std::optional<int> m_pin; ///< the pin that is held
+    double m_brushRadius = 0;
+    bool m_stroke = false;                ///< one is being drawn
+    bool m_inverted = false;              ///< the lasso is
+    std::vector<Eigen::Vector2d> m_lasso; ///< as far as it is drawn
     std::optional<scene::Grip> m_hovered; ///< the grip under the pointer, or held
     Eigen::Vector2d m_pressed = Eigen::Vector2d::Zero();
     Eigen::Vector2d m_last = Eigen::Vector2d::Zero();

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/importance_paint.h"
+
+#include "mesh/measures.h"
+#include "theme/theme.h"
+#include "window/importance_pages.h"
+#include "window/presentation.h"
+#include "window/workbench.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(ImportancePaint)
+};
+
+constexpr int classes = 6; ///< plain, and ×2 to ×32
+
+bool isPart(const Workbench& bench, const ShownSurface& surface) {
+    return surface.drawn && surface.drawn->mesh == bench.project().part;
+}
+
+/// The regions that are shown.
+std::vector<ImportantRegion> shownRegions(const Workbench& bench, const Visibility& visible) {
+    std::vector<ImportantRegion> shown;
+    const std::vector<ImportantRegion>& regions = bench.project().importance;
+    for (int i = 0; i < static_cast<int>(regions.size()); ++i)
+        if (visible.importance && visible.shows(regionId(i)))
+            shown.push_back(regions[static_cast<std::size_t>(i)]);
+    return shown;
+}
+
+scene::Rgb colourOf(int weightClass) {
+    return weightClass == 0 ? theme().scene.part
+                            : scene::importanceColours().at(static_cast<std::size_t>(weightClass - 1));
+}
+
+/// The middle of the region's face that lies nearest to the middle of them all.
+Eigen::Vector3d placeOf(const ImportantRegion& region, const IndexedMesh& part) {
+    const auto middleOf = [&](int f) -> Eigen::Vector3d {
+        return (part.corner(f, 0) + part.corner(f, 1) + part.corner(f, 2)) / 3;
+    };
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int f : region.faces)
+        sum += middleOf(f);
+    const Eigen::Vector3d middle = sum / static_cast<double>(region.faces.size());
+    return middleOf(*std::ranges::min_element(region.faces, {},
+                                              [&](int f) { return (middleOf(f) - middle).squaredNorm(); }));
+}
+
+} // namespace
+
+FacePaint importancePaint(const Workbench& bench, const ShownSurface& surface, const Visibility& visible) {
+    FacePaint paint;
+    const auto faces = static_cast<std::size_t>(surface.drawn->mesh->faceCount());
+    paint.faces.assign(faces, theme().scene.part);
+    if (isPart(bench, surface)) {
+        const std::vector<double> weights =
+            faceWeights(shownRegions(bench, visible), static_cast<int>(faces));
+        for (std::size_t f = 0; f < weights.size(); ++f)
+            paint.faces[f] = colourOf(scene::importanceClass(weights[f]));
+    }
+    if (surface.drawn->standIn)
+        paint.standIn.assign(static_cast<std::size_t>(surface.drawn->standIn->mesh->faceCount()),
+                             theme().scene.part);
+    for (std::size_t f = 0; f < surface.drawn->standInFaces.size(); ++f)
+        paint.standIn[f] = paint.faces[static_cast<std::size_t>(surface.drawn->standInFaces[f])];
+    return paint;
+}
+
+scene::PanelContent importanceLegend(const Workbench& bench, const ShownSurface& surface,
+                                     const Visibility& visible) {
+    scene::PanelContent legend;
+    legend.title = Words::tr("Importance").toStdString();
+    if (!isPart(bench, surface)) {
+        legend.lines.push_back(
+            {std::nullopt,
+             {{Words::tr("Shown on the part as opened only.").toStdString(), scene::Ink::Secondary}},
+             {}});
+        return legend;
+    }
+    const IndexedMesh& part = *bench.project().part;
+    std::array<double, classes> areas{};
+    const std::vector<double> weights = faceWeights(shownRegions(bench, visible), part.faceCount());
+    for (std::size_t f = 0; f < weights.size(); ++f)
+        if (const int at = scene::importanceClass(weights[f]); at > 0)
+            areas[static_cast<std::size_t>(at)] += doubleAreaVector(part, static_cast<int>(f)).norm() / 2;
+    areas[0] = bench.figures(bench.project().part).area;
+    for (std::size_t at = 1; at < areas.size(); ++at)
+        areas[0] -= areas[at];
+    const std::array<QString, classes> words = {
+        Words::tr("like the rest"), u"×2"_s, u"×4"_s, u"×8"_s, u"×16"_s, Words::tr("×32 or more")};
+    for (int at = classes - 1; at >= 0; --at)
+        legend.lines.push_back(
+            {colourOf(at),
+             {{words.at(static_cast<std::size_t>(at)).toStdString()}},
+             u"%1 cm²"_s.arg(areas.at(static_cast<std::size_t>(at)) / 100, 0, 'f', 1).toStdString()});
+    return legend;
+}
+
+std::vector<scene::Chip> regionChips(const Workbench& bench, const SharedMesh& shown,
+                                     const Visibility& visible, const QString& selected) {
+    std::vector<scene::Chip> chips;
+    if (shown != bench.project().part || !visible.importance)
+        return chips;
+    const std::vector<ImportantRegion>& regions = bench.project().importance;
+    for (int i = 0; i < static_cast<int>(regions.size()); ++i) {
+        const ImportantRegion& region = regions[static_cast<std::size_t>(i)];
+        if (region.faces.empty() || !visible.shows(regionId(i)))
+            continue;
+        const bool chosen = selected == regionId(i);
+        chips.push_back(
+            {placeOf(region, *bench.project().part),
+             {{},
+              {{std::nullopt,
+                {{region.name, scene::Ink::Text, chosen}, {weightText(heaviest(region)).toStdString()}},
+                {}}}}});
+    }
+    return chips;
+}
+
+} // namespace moldwright
