@@ -2,9 +2,13 @@
 #include "render/pictures.h"
 
 #include "castability/analysis.h"
+#include "castability/cast_analysis.h"
+#include "castability/certificate.h"
 #include "exchange/mesh_file.h"
 #include "mesh/measures.h"
 #include "scene/offscreen/picture.h"
+
+#include <algorithm>
 
 namespace moldwright::render {
 
@@ -86,6 +90,14 @@ Result<void> draw(const scene::EglContext& context, const SharedMesh& mesh, cons
     return write(scene::renderPicture(view, context, from, wide, high), file);
 }
 
+/// Draft of each face; of a surface that is parted already, by the side that each face belongs to.
+std::vector<double> draftOf(const IndexedMesh& mesh, const MoldState& state, double draftDegrees) {
+    const SideLabels labels = labelSides(mesh, state.plane);
+    if (std::ranges::find(labels, 0) != labels.end())
+        return analyzeDraft(mesh, state, draftDegrees, false).faceDraft;
+    return analyzeCast(mesh, labels, state, draftDegrees).faceDraft;
+}
+
 scene::ShownPins shownPins(const SurfaceLook& look) {
     scene::ShownPins shown;
     for (const Vector3d& pin : look.pins) {
@@ -147,8 +159,7 @@ Result<void> drawSurface(const SharedMesh& mesh, const SurfaceLook& look, const 
         return std::unexpected(context.error());
     std::vector<Rgb> colours;
     if (look.state)
-        colours =
-            byDraft(analyzeDraft(*mesh, *look.state, look.draftDegrees, false).faceDraft, look.draftDegrees);
+        colours = byDraft(draftOf(*mesh, *look.state, look.draftDegrees), look.draftDegrees);
     scene::Scene view;
     view.setLook(onPaper(), 2);
     view.setSurface(scene::drawnMesh(mesh), colours);

@@ -126,7 +126,7 @@ TEST(SurfacePicture, ShowsRedWhereAFaceIsUndercut) {
         GTEST_SKIP() << "no graphics";
     const test::ScratchFolder folder;
     const auto ball = std::make_shared<const IndexedMesh>(test::sheared(test::ball(20, 3), 0, 0).mesh);
-    const auto redIn = [&](std::optional<double> offset) {
+    const auto redIn = [&](const SharedMesh& mesh, std::optional<double> offset) {
         render::SurfaceLook look;
         look.width = look.height = 100;
         look.draftDegrees = 0;
@@ -134,12 +134,17 @@ TEST(SurfacePicture, ShowsRedWhereAFaceIsUndercut) {
             look.state = MoldState{{Eigen::Vector3d::UnitZ(), *offset},
                                    {Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ()}};
         const std::filesystem::path file = folder.path() / "map.png";
-        EXPECT_TRUE(render::drawSurface(ball, look, file));
+        EXPECT_TRUE(render::drawSurface(mesh, look, file));
         return redPixels(file);
     };
-    EXPECT_EQ(redIn(std::nullopt), 0);
-    EXPECT_EQ(redIn(0), 0);
-    EXPECT_GT(redIn(15), 100);
+    EXPECT_EQ(redIn(ball, std::nullopt), 0);
+    EXPECT_EQ(redIn(ball, 0), 0);
+    EXPECT_GT(redIn(ball, 15), 100);
+    IndexedMesh rounded = *ball; // a parting line as files hold it
+    for (int v = 0; v < rounded.vertexCount(); ++v)
+        if (std::abs(rounded.V(v, 2)) < 1e-9)
+            rounded.V(v, 2) = v % 2 ? 1e-6 : -1e-6;
+    EXPECT_EQ(redIn(std::make_shared<const IndexedMesh>(rounded), 0), 0);
 }
 
 TEST(Job, ComesBackFromItsText) {
