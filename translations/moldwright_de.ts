@@ -910,8 +910,8 @@
         <translation>Entlüftungen brauchen einen Einguss: Ohne ihn ist nicht bestimmt, wo beim Füllen oben ist.</translation>
     </message>
     <message>
-        <source>There is no room for {0} keys and {1} slits. Ask for fewer or smaller ones.</source>
-        <translation>Für {0} Passkegel und {1} Hebelschlitze ist kein Platz. Bitte weniger oder kleinere verlangen.</translation>
+        <source>There is no room for {0} keys, {1} slits and {2} bolt holes. Ask for fewer or smaller ones.</source>
+        <translation>Es ist kein Platz für {0} Passstifte, {1} Schlitze und {2} Schraubenlöcher. Verlangen Sie weniger oder kleinere.</translation>
     </message>
     <message>
         <source>A shrink of {0} % is no shrink of a material: give less than 50 %.</source>
@@ -928,6 +928,10 @@
     <message>
         <source>A channel {0} mm deep closes before its floor: it is too narrow for the lean that its walls need.</source>
         <translation>Ein {0} mm tiefer Kanal schließt sich vor seinem Grund: Er ist zu schmal für die Neigung, die seine Wände brauchen.</translation>
+    </message>
+    <message>
+        <source>Only {0} of {1} ejector pins find a place in half {2}: a pin of {3} mm needs ground that is flat within 35°, away from the parting line and the gate. Ask for fewer or thinner pins, or the other half.</source>
+        <translation>Nur {0} von {1} Auswerferstiften finden in Hälfte {2} Platz: Ein Stift von {3} mm braucht Grund, der auf 35° eben ist, fern von Trennlinie und Anschnitt. Verlangen Sie weniger oder dünnere Stifte, oder die andere Hälfte.</translation>
     </message>
 </context>
 <context>

@@ -1090,8 +1090,8 @@
         <translation>排气孔需要浇道：没有浇道就无法知道浇注时哪边朝上。</translation>
     </message>
     <message>
-        <source>There is no room for {0} keys and {1} slits. Ask for fewer or smaller ones.</source>
-        <translation>放不下 {0} 个定位键和 {1} 条撬缝。请减少数量或减小尺寸。</translation>
+        <source>There is no room for {0} keys, {1} slits and {2} bolt holes. Ask for fewer or smaller ones.</source>
+        <translation>放不下 {0} 个定位键、{1} 条撬缝和 {2} 个螺栓孔。请减少数量或减小尺寸。</translation>
     </message>
     <message>
         <source>A shrink of {0} % is no shrink of a material: give less than 50 %.</source>
@@ -1108,6 +1108,10 @@
     <message>
         <source>A channel {0} mm deep closes before its floor: it is too narrow for the lean that its walls need.</source>
         <translation>深 {0} mm 的通道在到底之前就已合拢：按壁所需的斜度，它太窄了。</translation>
+    </message>
+    <message>
+        <source>Only {0} of {1} ejector pins find a place in half {2}: a pin of {3} mm needs ground that is flat within 35°, away from the parting line and the gate. Ask for fewer or thinner pins, or the other half.</source>
+        <translation>{1} 根顶针中只有 {0} 根能在半模 {2} 中找到位置：直径 {3} mm 的顶针需要 35° 以内的平坦面，并远离分型线和浇口。请减少数量、改用更细的顶针，或换另一半模。</translation>
     </message>
 </context>
 <context>

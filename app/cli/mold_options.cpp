@@ -33,6 +33,7 @@ void MoldOptions::declare(CLI::App& app) {
     declareLayout(app);
     declareChannels(app);
     declareRegistration(app);
+    declareHoles(app);
 }
 
 void MoldOptions::declareBlock(CLI::App& app) {
@@ -102,6 +103,26 @@ void MoldOptions::declareRegistration(CLI::App& app) {
     length(app, "--slit-height", slitHeight, "In each half");
 }
 
+void MoldOptions::declareHoles(CLI::App& app) {
+    app.add_option("--bolts", bolts, "Straight holes through both halves")
+        ->type_name("N")
+        ->check(CLI::Range(0, 8));
+    length(app, "--bolt-diameter", boltDiameter, "Of the holes");
+    // Shop practice: 1 mm of steel at least.
+    app.add_option("--bolt-wall", boltWall, "Steel between bolt holes and the block's faces, 1 or more")
+        ->type_name("MM")
+        ->check(CLI::Range(1.0, 1000.0));
+    app.add_option("--bolt-clear", boltClear, "Steel between bolt holes and everything else, 1 or more")
+        ->type_name("MM")
+        ->check(CLI::Range(1.0, 1000.0));
+    app.add_option("--ejectors", ejectors, "Holes for ejector pins, for each cavity")
+        ->type_name("N")
+        ->check(CLI::Range(0, 12));
+    length(app, "--ejector-diameter", ejectorDiameter, "Of the pins");
+    app.add_option("--ejector-half", ejectorSide, "The half that the pins pass through")
+        ->check(CLI::Range(1, 2));
+}
+
 Result<MoldSettings> MoldOptions::applied(MoldSettings settings) const {
     applyBlock(settings);
     if (Result<void> done = applyLayout(settings.layout); !done)
@@ -111,6 +132,7 @@ Result<MoldSettings> MoldOptions::applied(MoldSettings settings) const {
     if (Result<void> done = applyChannels(settings); !done)
         return std::unexpected(done.error());
     applyRegistration(settings);
+    applyHoles(settings);
     return settings;
 }
 
@@ -210,6 +232,16 @@ void MoldOptions::applyRegistration(MoldSettings& settings) const {
     take(settings.slits.depth, slitDepth);
     take(settings.slits.width, slitWidth);
     take(settings.slits.height, slitHeight);
+}
+
+void MoldOptions::applyHoles(MoldSettings& settings) const {
+    take(settings.bolts.count, bolts);
+    take(settings.bolts.diameter, boltDiameter);
+    take(settings.bolts.wall, boltWall);
+    take(settings.bolts.clear, boltClear);
+    take(settings.ejectors.count, ejectors);
+    take(settings.ejectors.diameter, ejectorDiameter);
+    take(settings.ejectors.side, ejectorSide);
 }
 
 } // namespace moldwright::cli

@@ -27,11 +27,13 @@ private:
     void declareLayout(CLI::App& app);
     void declareChannels(CLI::App& app);
     void declareRegistration(CLI::App& app);
+    void declareHoles(CLI::App& app);
     [[nodiscard]] Result<void> applyLayout(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyShrink(ShrinkSettings& shrink) const;
     [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;
     void applyBlock(MoldSettings& settings) const;
     void applyRegistration(MoldSettings& settings) const;
+    void applyHoles(MoldSettings& settings) const;
 
     std::optional<double> wall, side, floor, ceiling, step, pressure, leastSteel, density, blockDensity;
     std::string cavities, arrangement, alternate;
@@ -42,6 +44,8 @@ private:
     std::optional<double> spoutDiameter, funnel, gate, spoutDraft, ventDiameter, smallestTrap;
     std::optional<int> keys, slits;
     std::optional<double> keyDiameter, keyHeight, keyClearance, keyLean, slitDepth, slitWidth, slitHeight;
+    std::optional<int> bolts, ejectors, ejectorSide;
+    std::optional<double> boltDiameter, boltWall, boltClear, ejectorDiameter;
 };
 
 } // namespace moldwright::cli

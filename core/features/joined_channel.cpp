@@ -6,6 +6,7 @@
 #include "castability/float_rounding.h"
 #include "features/cgal/solid_union.h"
 #include "mesh/check.h"
+#include "mesh/measures.h"
 #include "mesh/weld.h"
 
 #include <algorithm>
@@ -38,11 +39,25 @@ private:
     std::set<std::array<double, 3>> m_points;
 };
 
+/// The sides of the faces that are held to the draft; 0 for those that are not. Walls of bores lie along the
+/// direction or overhang it, what is left of the cast's own faces has the draft but for rounding.
+SideLabels heldToDraft(const IndexedMesh& mesh, SideLabels labels, const JointRequest& request) {
+    const double least = std::sin(radians(request.draftDegrees)) / 2;
+    for (int f = 0; request.bores && f < mesh.faceCount(); ++f) {
+        std::uint8_t& side = labels[static_cast<std::size_t>(f)];
+        if (side != 0 && doubleAreaVector(mesh, f).normalized().dot(request.directions.of(side)) < least)
+            side = 0;
+    }
+    return labels;
+}
+
 bool keepsDraft(const IndexedMesh& mesh, const SideLabels& labels, const JointRequest& request) {
     const PointSet openings(request.openings);
     const double tau = provableTolerance(request.draftDegrees);
     for (int f = 0; f < mesh.faceCount(); ++f) {
         const int side = labels[static_cast<std::size_t>(f)];
+        if (side == 0 && request.bores)
+            continue;
         if (side == 0 || (!leavesAlong(mesh.corner(f, 0), mesh.corner(f, 1), mesh.corner(f, 2),
                                        request.directions.of(side), tau) &&
                           !openings.holdsFace(mesh, f)))
@@ -66,7 +81,7 @@ std::optional<IndexedMesh> joinedSolid(const IndexedMesh& cast, const std::vecto
     for (int v = 0; v < whole.vertexCount(); ++v)
         if (std::abs(whole.V(v, 2)) <= near)
             whole.V(v, 2) = 0;
-    const SideLabels labels = labelSides(whole, {});
+    const SideLabels labels = heldToDraft(whole, labelSides(whole, {}), request);
     whole = roundKeepingDraft(whole, labels, request.directions, request.draftDegrees, request.grid);
     const MeshDiagnosis diagnosis = diagnose(whole);
     if (!diagnosis.usable() || !keepsDraft(whole, labels, request))

@@ -16,6 +16,8 @@ struct JointRequest {
     double grid = 0;
     /// Points at which a body will be open: faces with all corners among them need no draft.
     std::vector<Eigen::Vector3d> openings;
+    /// The bodies are bores: what stands in them does not leave with the cast, so their walls need no draft.
+    bool bores = false;
 };
 
 /// The cast with channels that cross it, as one closed solid. A union of graphs over the plane is one, so

@@ -43,17 +43,17 @@ public:
         }
     }
 
-    Result<JoinedCavity> join(const std::vector<Gate>& gates, const std::vector<AirTrap>& traps) {
+    Result<JoinedCavity> join(const CavityFeatures& features) {
         for (int attempt = 0; attempt < attempts; ++attempt) {
             m_nudge = attempt;
             m_result = {};
-            if (m_plan.settings->spout.on)
-                for (const Gate& gate : gates)
-                    if (Result<void> done = addGate(gate); !done)
-                        return std::unexpected(done.error());
-            if (m_plan.settings->vents.on)
-                for (const AirTrap& trap : traps)
-                    vent(trap);
+            for (const Gate& gate : features.gates)
+                if (Result<void> done = addGate(gate); !done)
+                    return std::unexpected(done.error());
+            for (const AirTrap& trap : features.traps)
+                vent(trap);
+            for (const HalfBore& bore : features.bores)
+                addBore(bore);
             if (joinAll())
                 return std::move(m_result);
         }
@@ -63,7 +63,7 @@ public:
             MW_TEXT("Mold", "The channels could not be joined to the cavity soundly at any of {0} nearby "
                             "places. Another pour direction or gate width may help."),
             {std::to_string(attempts)}};
-        for (const Gate& gate : gates)
+        for (const Gate& gate : features.gates)
             error.places.push_back(m_kind.cast.point(gate.point));
         return std::unexpected(error);
     }
@@ -171,6 +171,14 @@ private:
         return true;
     }
 
+    void addBore(HalfBore bore) {
+        const double width = bore.stations.front().radius;
+        bore.axis += 0.011 * m_nudge * width * Vector2d(1, 0.7);
+        bore.stations.front().height *= 1 - 0.01 * m_nudge;
+        bore.stations.back().height = m_plan.blockEnd[bore.side == 1 ? 0 : 1];
+        m_result.bores.push_back(std::move(bore));
+    }
+
     bool joinAll() {
         JointRequest request{m_plan.rules.directions, m_plan.draftDegrees, m_plan.rules.grid, {}};
         std::vector<IndexedMesh> bodies;
@@ -181,15 +189,26 @@ private:
         }
         for (const ThroughVent& vent : m_result.vents)
             bodies.push_back(vent.solid());
-        m_result.solid = m_kind.cast;
-        if (bodies.empty())
-            return true;
         // They keep clear of each other: one joint for all.
-        std::optional<IndexedMesh> joined = joinedSolid(m_kind.cast, {inOne(bodies)}, request);
+        const std::optional<IndexedMesh> joined =
+            bodies.empty() ? m_kind.cast : joinedSolid(m_kind.cast, {inOne(bodies)}, request);
         if (!joined)
             return false;
         m_result.stubVolume = volume(*joined) - volume(m_kind.cast);
-        m_result.solid = openedAt(*joined, request.openings);
+        m_result.solid = m_result.hollow = openedAt(*joined, request.openings);
+        return m_result.bores.empty() || cutBores(*joined, request);
+    }
+
+    bool cutBores(const IndexedMesh& solid, JointRequest request) {
+        std::vector<IndexedMesh> bodies;
+        for (const HalfBore& bore : m_result.bores)
+            bodies.push_back(bore.solid(m_plan.rules.directions.of(bore.side), m_plan.rules.grid));
+        request.bores = true;
+        const std::optional<IndexedMesh> cut = joinedSolid(solid, {inOne(bodies)}, request);
+        if (!cut)
+            return false;
+        m_result.boreVolume = volume(*cut) - volume(solid);
+        m_result.hollow = openedAt(*cut, request.openings);
         return true;
     }
 
@@ -202,9 +221,9 @@ private:
 
 } // namespace
 
-Result<JoinedCavity> joinedCavity(const CavityKind& kind, const std::vector<Gate>& gates,
-                                  const std::vector<AirTrap>& traps, const JointPlan& plan) {
-    return Joiner(kind, plan).join(gates, traps);
+Result<JoinedCavity> joinedCavity(const CavityKind& kind, const CavityFeatures& features,
+                                  const JointPlan& plan) {
+    return Joiner(kind, plan).join(features);
 }
 
 } // namespace moldwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "features/half_bore.h"
 #include "features/through_vent.h"
 #include "mold/channels.h"
 #include "mold/gates.h"
@@ -22,7 +23,17 @@ struct JoinedCavity {
     std::vector<Stub> stubs;
     std::vector<ThroughVent> vents;
     std::vector<RemainingAir> remaining;
-    double stubVolume = 0; ///< mm³ by which the closed solid is larger than the cast
+    double stubVolume = 0;       ///< mm³ by which the closed solid is larger than the cast
+    IndexedMesh hollow;          ///< the solid with its bores: what the halves are cut by; open like it
+    std::vector<HalfBore> bores; ///< as they were joined
+    double boreVolume = 0;       ///< mm³ by which the hollow is larger than the solid
+};
+
+/// What crosses one kind's wall.
+struct CavityFeatures {
+    std::vector<Gate> gates;
+    std::vector<AirTrap> traps;  ///< to be vented
+    std::vector<HalfBore> bores; ///< their last station is left to the joint: it ends at the block's face
 };
 
 /// What a cavity is joined with.
@@ -37,10 +48,10 @@ struct JointPlan {
     std::array<double, 2> blockEnd{}; ///< distance of the block's outer faces from the plane, mm
 };
 
-/// Gates and vents of one kind, joined to it exactly. Where rounding spoils a joint the channel is moved by
-/// hundredths of its width and joined again. Errors: Impossible (with the place) when that never helps, or a
-/// way to the runner is not free.
-[[nodiscard]] Result<JoinedCavity> joinedCavity(const CavityKind& kind, const std::vector<Gate>& gates,
-                                                const std::vector<AirTrap>& traps, const JointPlan& plan);
+/// Gates, vents and bores of one kind, joined to it exactly. Where rounding spoils a joint the channel is
+/// moved by hundredths of its width and joined again. Errors: Impossible (with the place) when that never
+/// helps, or a way to the runner is not free.
+[[nodiscard]] Result<JoinedCavity> joinedCavity(const CavityKind& kind, const CavityFeatures& features,
+                                                const JointPlan& plan);
 
 } // namespace moldwright

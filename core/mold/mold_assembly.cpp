@@ -15,6 +15,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr const char* boltName = "Bolt hole";
+constexpr const char* ejectorName = "Ejector hole";
+
 /// Presses are chosen with this much in hand over pressure × area (1.1 to 1.2 are usual).
 constexpr double clampAllowance = 1.1;
 
@@ -57,17 +60,6 @@ double volumeOf(const DraftedPrism& prism) {
     return volume(*prismSolid(prism));
 }
 
-Vector3d middleOf(const DraftedPrism& prism) {
-    Vector2d sum = Vector2d::Zero();
-    for (const Vector2d& p : prism.base)
-        sum += p / static_cast<double>(prism.base.size());
-    return {sum.x(), sum.y(), 0};
-}
-
-std::vector<std::pair<std::string, double>> sizesOf(const DraftedPrism& prism) {
-    return {{"volume", volumeOf(prism)}, {"height_1", prism.height[0]}, {"height_2", prism.height[1]}};
-}
-
 std::unexpected<Error> unsound() {
     return failure(
         ErrorCode::Internal,
@@ -76,16 +68,34 @@ std::unexpected<Error> unsound() {
 
 } // namespace
 
+void MoldBuilder::addHalf(int side, HalfSurfaces& half, std::vector<IndexedMesh>& solids) {
+    const double end = side == 1 ? m_block.max().z() : m_block.min().z();
+    std::vector<IndexedMesh> sides;
+    for (const JoinedCavity& joined : m_joined)
+        sides.push_back(sideOf(joined.hollow, side, end));
+    for (const CavityCopy& copy : m_layout.copies)
+        half.voids.push_back(movedInPlane(sides[copy.kind], copy.offset));
+    for (const DraftedPrism& tail : m_openTails)
+        half.voids.push_back(*prismSurface(tail, side));
+    for (const DraftedPrism& tail : m_closedTails)
+        solids.push_back(*prismSurface(tail, side));
+    for (const WedgeSlit& slit : m_slits)
+        half.voids.push_back(*prismSurface(slit.prism, side));
+    for (const PlanShape& bolt : m_bolts)
+        half.voids.push_back(boltSurface(bolt, end));
+    for (const RegistrationKey& key : m_keys)
+        if (side == 1)
+            half.voids.push_back(*prismSurface(key.socket, 1));
+        else
+            half.bosses.push_back(*prismSurface(key.key, 1));
+}
+
 Result<void> MoldBuilder::assemble() {
     std::vector<IndexedMesh> solids;
     std::array<HalfSurfaces, 2> halves;
     for (const int side : {1, 2}) {
         HalfSurfaces& half = halves[side == 1 ? 0 : 1];
-        std::vector<IndexedMesh> sides;
-        for (const JoinedCavity& joined : m_joined)
-            sides.push_back(sideOf(joined.solid, side, side == 1 ? m_block.max().z() : m_block.min().z()));
-        for (const CavityCopy& copy : m_layout.copies)
-            half.voids.push_back(movedInPlane(sides[copy.kind], copy.offset));
+        addHalf(side, half, solids);
         for (const Channel& channel : m_net.channels) {
             const std::optional<IndexedMesh> surface = prismSurface(channel.prism, side, channel.guests);
             if (!surface)
@@ -93,17 +103,6 @@ Result<void> MoldBuilder::assemble() {
             half.voids.push_back(*surface);
             solids.push_back(*surface);
         }
-        for (const DraftedPrism& tail : m_openTails)
-            half.voids.push_back(*prismSurface(tail, side));
-        for (const DraftedPrism& tail : m_closedTails)
-            solids.push_back(*prismSurface(tail, side));
-        for (const WedgeSlit& slit : m_slits)
-            half.voids.push_back(*prismSurface(slit.prism, side));
-        for (const RegistrationKey& key : m_keys)
-            if (side == 1)
-                half.voids.push_back(*prismSurface(key.socket, 1));
-            else
-                half.bosses.push_back(*prismSurface(key.key, 1));
     }
     for (const CavityCopy& copy : m_layout.copies)
         solids.push_back(movedInPlane(m_joined[copy.kind].solid, copy.offset));
@@ -129,6 +128,10 @@ Result<void> MoldBuilder::measure() {
         m_mold.otherVolume += volumeOf(slit.prism);
     for (const RegistrationKey& key : m_keys)
         m_mold.otherVolume += volumeOf(key.socket) - volumeOf(key.key);
+    for (const PlanShape& bolt : m_bolts)
+        m_mold.otherVolume += volume(boltSolid(bolt, m_block));
+    for (const CavityCopy& copy : m_layout.copies)
+        m_mold.otherVolume += m_joined[copy.kind].boreVolume;
     const auto curves = partingCurves(*m_mold.cast, labelSides(*m_mold.cast, {}));
     m_mold.partingArea = curves ? enclosedArea(*m_mold.cast, *curves) : 0;
     // cm² × bar / 100 = kN.
@@ -157,6 +160,9 @@ std::vector<Hollow> MoldBuilder::hollows() const {
             attached.back().push_back({stub.name, shared(*prismSolid(stub.prism)), {}, {}, single()});
         for (const ThroughVent& vent : m_joined[kind].vents)
             attached.back().push_back({"Vent", shared(vent.solid()), {}, {}, true});
+        for (const HalfBore& bore : m_joined[kind].bores)
+            attached.back().push_back(
+                {ejectorName, shared(bore.solid(m_mold.directions.of(bore.side), m_grid)), {}, {}, true});
     }
     const int net = static_cast<int>(m_layout.copies.size());
     for (int c = 0; c < net; ++c) {
@@ -164,7 +170,8 @@ std::vector<Hollow> MoldBuilder::hollows() const {
         all.push_back({"Cavity", casts[copy.kind], copy.offset, {c}, false});
         for (Hollow hollow : attached[copy.kind]) {
             hollow.offset = copy.offset;
-            hollow.joints = {c, net};
+            // A bore stays apart from the runners.
+            hollow.joints = hollow.name == ejectorName ? std::vector{c} : std::vector{c, net};
             all.push_back(std::move(hollow));
         }
     }
@@ -176,93 +183,11 @@ std::vector<Hollow> MoldBuilder::hollows() const {
                        channel.name == "Spout"});
     for (const RegistrationKey& key : m_keys)
         all.push_back({"Key", shared(*prismSolid(key.socket)), Vector2d::Zero(), {}, false});
+    for (const PlanShape& bolt : m_bolts)
+        all.push_back({boltName, shared(boltSolid(bolt, m_block)), Vector2d::Zero(), {}, true});
     for (const WedgeSlit& slit : m_slits)
         all.push_back({"Slit", shared(*prismSolid(slit.prism)), Vector2d::Zero(), {}, true});
     return all;
-}
-
-void MoldBuilder::listFeatures() {
-    const MoldSettings& settings = m_mold.settings;
-    const Vector3d size = m_block.sizes();
-    m_mold.features.push_back({"block",
-                               "Block",
-                               m_block.center(),
-                               {{"size_x", size.x()},
-                                {"size_y", size.y()},
-                                {"size_z", size.z()},
-                                {"wall", settings.wall},
-                                {"floor", settings.floor},
-                                {"ceiling", settings.ceiling}},
-                               {}});
-    for (const CavityCopy& copy : m_layout.copies)
-        listCavity(copy);
-    listChannels();
-    listRegistration();
-}
-
-void MoldBuilder::listCavity(const CavityCopy& copy) {
-    std::vector<MoldFeature>& features = m_mold.features;
-    const CavityKind& kind = m_kinds[copy.kind];
-    const JoinedCavity& joined = m_joined[copy.kind];
-    const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
-    features.push_back({"cavity",
-                        kind.mirrored ? "Cavity, mirrored" : "Cavity",
-                        by,
-                        {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}},
-                        {}});
-    const char* filledBy = single() ? "spout" : "gate";
-    for (const Stub& stub : joined.stubs)
-        features.push_back(
-            {stub.vent ? "vent" : filledBy, stub.name, middleOf(stub.prism) + by, sizesOf(stub.prism), {}});
-    for (const ThroughVent& vent : joined.vents)
-        features.push_back({"vent",
-                            "Vent through half " + std::to_string(vent.side),
-                            vent.mouth + by,
-                            {{"diameter", m_mold.settings.vents.diameter}, {"side", vent.side}},
-                            {}});
-    for (const RemainingAir& air : joined.remaining) {
-        m_mold.trappedAir += air.volume;
-        features.push_back({"trapped_air",
-                            "Air that stays",
-                            air.place + by,
-                            {{"volume", air.volume}},
-                            "No vent can be placed here, or none that reaches higher."});
-    }
-}
-
-void MoldBuilder::listChannels() {
-    for (const Channel& channel : m_net.channels)
-        m_mold.features.push_back({channel.name == "Spout" ? "spout" : "runner",
-                                   channel.name,
-                                   middleOf(channel.prism),
-                                   sizesOf(channel.prism),
-                                   {}});
-    m_mold.pathLengths = m_net.pathLengths;
-}
-
-void MoldBuilder::listRegistration() {
-    const MoldSettings& settings = m_mold.settings;
-    for (const RegistrationKey& key : m_keys) {
-        const bool raised = key.leanDegrees > settings.keys.draft + 0.5;
-        m_mold.features.push_back({"key",
-                                   "Key",
-                                   {key.place.x(), key.place.y(), 0},
-                                   {{"diameter", key.diameter},
-                                    {"height", settings.keys.height},
-                                    {"clearance", settings.keys.clearance},
-                                    {"lean_deg", key.leanDegrees}},
-                                   raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
-                                                "°: with less it would hold when one half is opened first."
-                                          : ""});
-    }
-    for (const WedgeSlit& slit : m_slits)
-        m_mold.features.push_back({"slit",
-                                   "Wedge slit",
-                                   {slit.place.x(), slit.place.y(), 0},
-                                   {{"depth", settings.slits.depth},
-                                    {"width", settings.slits.width},
-                                    {"height", settings.slits.height}},
-                                   {}});
 }
 
 } // namespace moldwright

@@ -107,6 +107,8 @@ Result<void> MoldBuilder::layOut() {
             m_traps.push_back(
                 trapsOf(m_kinds[kind].cast, m_gates[kind], Vector2d::UnitY(), settings.vents.smallestTrap));
     }
+    if (Result<void> done = placeEjectors(); !done)
+        return done;
     m_layout = layoutOf(m_kinds, settings.layout, room);
     m_mold.cavities = static_cast<int>(m_layout.copies.size());
     m_mold.partToMold.pretranslate(
@@ -114,121 +116,41 @@ Result<void> MoldBuilder::layOut() {
     return {};
 }
 
-Obstacles MoldBuilder::planObstacles(double faceY) const {
-    Obstacles obstacles;
-    const double funnel = std::max(spout().funnel, spout().diameter) / 2;
-    const ChannelWidths& widths = m_widths;
-    Eigen::AlignedBox2d all;
-    for (const CavityCopy& copy : m_layout.copies) {
-        obstacles.push_back(movedPlan(m_kinds[copy.kind].hull, copy.offset));
-        for (const Vector2d& p : obstacles.back())
-            all.extend(p);
-        if (!spout().on || !single())
+Result<void> MoldBuilder::placeEjectors() {
+    const EjectorSettings& ejectors = m_mold.settings.ejectors;
+    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
+        m_ejectors.emplace_back();
+        if (ejectors.count == 0)
             continue;
-        // Spout and vents go straight up.
-        for (const Gate& gate : m_gates[copy.kind]) {
-            const Vector2d tip = m_kinds[copy.kind].cast.V.row(gate.point).head<2>();
-            obstacles.push_back(planRectangle({tip.x() - funnel, tip.y()}, {tip.x() + funnel, faceY}));
-        }
+        const auto plan = [&](int v) -> Vector2d { return m_kinds[kind].cast.V.row(v).head<2>(); };
+        std::vector<std::pair<Vector2d, double>> keepOff;
+        if (spout().on)
+            for (const Gate& gate : m_gates[kind])
+                keepOff.emplace_back(plan(gate.point), gate.drop + m_widths.gate / 2);
         if (m_mold.settings.vents.on)
-            for (const AirTrap& trap : m_traps[copy.kind]) {
-                const Vector2d tip = m_kinds[copy.kind].cast.V.row(trap.point).head<2>();
-                const double half = m_mold.settings.vents.diameter;
-                obstacles.push_back(planRectangle({tip.x() - half, tip.y()}, {tip.x() + half, faceY}));
-            }
-    }
-    if (spout().on && !single()) {
-        for (const double axis : m_layout.runnerAxes)
-            obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
-                                              {all.max().x() + widths.gate, axis + widths.runner / 2}));
-        const double half = std::max(funnel, widths.main / 2);
-        obstacles.push_back(planRectangle(
-            {m_layout.mainAxis - half, m_layout.runnerAxes.front() - widths.runner / 2 - widths.beside},
-            {m_layout.mainAxis + half, faceY}));
-    }
-    return obstacles;
-}
-
-Block MoldBuilder::blockFor(double wallX, double wallY) const {
-    BlockContent content;
-    content.wallX = wallX;
-    content.wallY = wallY;
-    for (const CavityCopy& copy : m_layout.copies)
-        content.cavities.extend(
-            boundingBox(m_kinds[copy.kind].cast).translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
-    if (spout().on) {
-        const ChannelWidths& widths = m_widths;
-        const double tail = m_end.face - m_end.line;
-        if (single()) {
-            content.spoutTop = content.cavities.max().y() + m_mold.settings.layout.spacing / 2 +
-                               spoutLength(spout(), widths.gate, widths.straight()) + tail;
-        } else {
-            for (const double way : {-1.0, 1.0}) {
-                content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
-                // Runners reach beyond the outermost gates.
-                for (const CavityCopy& copy : m_layout.copies)
-                    for (const Gate& gate : m_gates[copy.kind])
-                        content.cavities.extend(Vector3d(m_kinds[copy.kind].cast.V(gate.point, 0) +
-                                                             copy.offset.x() +
-                                                             way * (widths.gate / 2 + widths.beside),
-                                                         0, 0));
-            }
-            const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
-            content.spoutTop =
-                std::max(top + spoutLength(spout(), widths.main, widths.straight()) + tail, top + wallY);
-        }
-    }
-    return blockAround(content, m_mold.settings, m_grid);
-}
-
-bool MoldBuilder::placeOn(const Block& block) {
-    const MoldSettings& settings = m_mold.settings;
-    Obstacles obstacles = planObstacles(block.max().y());
-    m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel);
-    for (const Vector2d& place : m_slitPlaces)
-        obstacles.push_back(slitShape(settings.slits, place));
-    m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel);
-    return static_cast<int>(m_slitPlaces.size()) == settings.slits.count &&
-           static_cast<int>(m_keyPlaces.size()) == settings.keys.count;
-}
-
-Result<void> MoldBuilder::fitBlock() {
-    const MoldSettings& settings = m_mold.settings;
-    if (spout().on) {
-        const Result<double> tail = tailLength(0.4 * std::max(spout().diameter, spout().gate), m_rules);
-        if (!tail)
-            return std::unexpected(tail.error());
-        m_end = {*tail, 0};
-    }
-    constexpr int growths = 60;
-    bool fits = false;
-    for (int growth = 0; growth < growths && !fits; ++growth) {
-        // A band left and right always makes room at the corners.
-        m_block = blockFor(settings.wall + growth, settings.wall);
-        fits = placeOn(m_block);
-    }
-    if (!fits)
-        return failure(
-            ErrorCode::Impossible,
-            MW_TEXT("Mold", "There is no room for {0} keys and {1} slits. Ask for fewer or smaller ones."),
-            {std::to_string(settings.keys.count), std::to_string(settings.slits.count)});
-    const double tail = m_end.face - m_end.line;
-    m_end = {m_block.max().y(), m_block.max().y() - tail};
-    for (const Vector2d& place : m_keyPlaces) {
-        Result<RegistrationKey> key = registrationKey(settings.keys, m_keys.empty(), place, m_mold.directions,
-                                                      m_mold.draftDegrees, m_grid);
-        if (!key)
-            return std::unexpected(key.error());
-        m_keys.push_back(*std::move(key));
-    }
-    for (const Vector2d& place : m_slitPlaces) {
-        Result<WedgeSlit> slit =
-            wedgeSlit(settings.slits, place, m_mold.directions, m_mold.draftDegrees, m_grid);
-        if (!slit)
-            return std::unexpected(slit.error());
-        m_slits.push_back(*std::move(slit));
+            for (const AirTrap& trap : m_traps[kind])
+                keepOff.emplace_back(plan(trap.point), 2 * m_mold.settings.vents.diameter);
+        Result<std::vector<EjectorPlace>> places =
+            ejectorPlaces(m_kinds[kind], m_mold.directions, ejectors, m_mold.settings.leastSteel, keepOff);
+        if (!places)
+            return std::unexpected(places.error());
+        m_ejectors.back() = *std::move(places);
     }
     return {};
+}
+
+CavityFeatures MoldBuilder::featuresOf(std::size_t kind) const {
+    const EjectorSettings& ejectors = m_mold.settings.ejectors;
+    CavityFeatures features;
+    if (spout().on)
+        features.gates = m_gates[kind];
+    if (m_mold.settings.vents.on)
+        features.traps = m_traps[kind];
+    for (const EjectorPlace& place : m_ejectors[kind]) {
+        const double radius = ejectors.diameter / 2;
+        features.bores.push_back({ejectors.side, place.axis, {{place.inside, radius}, {0, radius}}});
+    }
+    return features;
 }
 
 Result<void> MoldBuilder::join() {
@@ -248,9 +170,7 @@ Result<void> MoldBuilder::join() {
         plan.slope = single() ? std::array{0.0, 0.0} : *slope;
     }
     for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        Result<JoinedCavity> joined =
-            joinedCavity(m_kinds[kind], spout().on ? m_gates[kind] : std::vector<Gate>{},
-                         settings.vents.on ? m_traps[kind] : std::vector<AirTrap>{}, plan);
+        Result<JoinedCavity> joined = joinedCavity(m_kinds[kind], featuresOf(kind), plan);
         if (!joined)
             return std::unexpected(joined.error());
         m_joined.push_back(*std::move(joined));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "mold/bolt_holes.h"
 #include "mold/cavity_joints.h"
+#include "mold/ejector_pins.h"
 #include "mold/half.h"
 #include "mold/mold.h"
 #include "mold/registration.h"
@@ -37,14 +39,29 @@ private:
     [[nodiscard]] bool single() const { return m_layout.copies.size() == 1; }
     [[nodiscard]] const SpoutSettings& spout() const { return m_mold.settings.spout; }
     [[nodiscard]] bool channels() const { return spout().on || m_mold.settings.vents.on; }
-    [[nodiscard]] Obstacles planObstacles(double faceY) const;
+    Result<void> placeEjectors();
+    [[nodiscard]] CavityFeatures featuresOf(std::size_t kind) const;
+    [[nodiscard]] Obstacles planObstacles(const Block& block) const;
+    void addChannelObstacles(Obstacles& obstacles, double faceY) const;
+    /// A hole that leaves a cavity through a half, along its direction.
+    struct OutwardHole {
+        Eigen::Vector3d foot;
+        int side;
+        double radius;
+    };
+    [[nodiscard]] std::vector<OutwardHole> outwardHoles(const CavityCopy& copy) const;
+    [[nodiscard]] Eigen::Vector3d mouthOf(const OutwardHole& hole, const Eigen::AlignedBox3d& block) const;
     [[nodiscard]] Block blockFor(double wallX, double wallY) const;
     [[nodiscard]] bool placeOn(const Block& block);
+    Result<void> makeRegistration();
     Result<void> addTails();
+    void addHalf(int side, HalfSurfaces& half, std::vector<IndexedMesh>& solids);
     void listFeatures();
     void listCavity(const CavityCopy& copy);
     void listChannels();
     void listRegistration();
+    void listBores(const CavityCopy& copy);
+    void listBolts();
     [[nodiscard]] std::vector<Hollow> hollows() const;
 
     Mold m_mold;
@@ -54,10 +71,13 @@ private:
     IndexedMesh m_cast; ///< placed
     SideLabels m_labels;
     std::vector<CavityKind> m_kinds;
-    std::vector<std::vector<Gate>> m_gates;    ///< by kind, if there is a spout
-    std::vector<std::vector<AirTrap>> m_traps; ///< by kind, if there are vents
+    std::vector<std::vector<Gate>> m_gates;            ///< by kind, if there is a spout
+    std::vector<std::vector<AirTrap>> m_traps;         ///< by kind, if there are vents
+    std::vector<std::vector<EjectorPlace>> m_ejectors; ///< by kind
     Layout m_layout;
     Block m_block;
+    std::vector<Eigen::Vector2d> m_boltPlaces;
+    std::vector<PlanShape> m_bolts; ///< outlines
     std::vector<Eigen::Vector2d> m_keyPlaces;
     std::vector<Eigen::Vector2d> m_slitPlaces;
     std::vector<RegistrationKey> m_keys;

@@ -100,6 +100,26 @@ struct SlitSettings {
     bool operator==(const SlitSettings&) const = default;
 };
 
+/// Straight holes through both halves along the plane's normal, for bolts or clamps. Shop practice: a hole
+/// keeps at least 1 mm of steel to the block's faces and to the cavities.
+struct BoltSettings {
+    int count = 0;
+    double diameter = 6.6; ///< mm; an M6 bolt passes freely (ISO 273, medium)
+    double wall = 3;       ///< mm of steel to the block's faces
+    double clear = 3;      ///< mm of steel to all that stands in the parting plane
+
+    bool operator==(const BoltSettings&) const = default;
+};
+
+/// Holes for pins that push the cast out of a half, along its removal direction.
+struct EjectorSettings {
+    int count = 0;       ///< for each cavity
+    double diameter = 4; ///< mm
+    int side = 2;        ///< the half that they pass through
+
+    bool operator==(const EjectorSettings&) const = default;
+};
+
 /// What a mold is made of. Lengths in mm. Walls of 5 mm are what open mold generators use for printed molds
 /// (range 1.5 to 25 mm). As it stands: a block round one cavity, no features.
 struct MoldSettings {
@@ -117,6 +137,8 @@ struct MoldSettings {
     VentSettings vents;
     KeySettings keys;
     SlitSettings slits;
+    BoltSettings bolts;
+    EjectorSettings ejectors;
 
     bool operator==(const MoldSettings&) const = default;
 };

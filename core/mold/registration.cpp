@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int keyCorners = 32;
 constexpr double searchStep = 1; // mm
 
 double diameterOf(const KeySettings& keys, bool odd) {
@@ -29,52 +28,6 @@ double shiftOf(const KeySettings& keys, const Directions& directions) {
 /// clearance is a little more than across the wall.
 double socketRadius(const KeySettings& keys, bool odd, double shift) {
     return diameterOf(keys, odd) / 2 + 1.5 * keys.clearance + shift;
-}
-
-bool keepsClear(const PlanShape& shape, const Obstacles& obstacles, double steel) {
-    return std::all_of(obstacles.begin(), obstacles.end(),
-                       [&](const PlanShape& obstacle) { return planKeepsClear(shape, obstacle, steel); });
-}
-
-/// The free place nearest to `wish` in the part of the block that is nearer to it than to its middle.
-std::optional<Vector2d> nearestFree(const Vector2d& wish, double radius, const Block& block,
-                                    const Obstacles& obstacles, double steel) {
-    const double edge = radius + steel;
-    const Vector2d low = block.min().head<2>().array() + edge;
-    const Vector2d high = block.max().head<2>().array() - edge;
-    std::vector<Vector2d> candidates;
-    const Vector2d start = wish.cwiseMax(low).cwiseMin(high);
-    const Vector2d middle = block.center().head<2>();
-    for (double x = low.x(); x <= high.x(); x += searchStep)
-        for (double y = low.y(); y <= high.y(); y += searchStep)
-            if ((Vector2d(x, y) - start).norm() < (start - middle).norm() / 2)
-                candidates.emplace_back(x, y);
-    candidates.push_back(start);
-    std::stable_sort(candidates.begin(), candidates.end(), [&](const Vector2d& a, const Vector2d& b) {
-        return (a - start).squaredNorm() < (b - start).squaredNorm();
-    });
-    for (const Vector2d& place : candidates)
-        if ((place.array() >= low.array() - 1e-9).all() && (place.array() <= high.array() + 1e-9).all() &&
-            keepsClear(planCircle(place, radius, keyCorners), obstacles, steel))
-            return place;
-    return std::nullopt;
-}
-
-/// Corners first, alternately opposite, then the middles of the sides.
-std::vector<Vector2d> wishes(const Block& block, int count) {
-    const Vector2d low = block.min().head<2>();
-    const Vector2d high = block.max().head<2>();
-    const Vector2d middle = block.center().head<2>();
-    std::vector<Vector2d> places{low,
-                                 high,
-                                 {high.x(), low.y()},
-                                 {low.x(), high.y()},
-                                 {middle.x(), low.y()},
-                                 {low.x(), middle.y()},
-                                 {high.x(), middle.y()},
-                                 {middle.x(), high.y()}};
-    places.resize(static_cast<std::size_t>(std::min(count, static_cast<int>(places.size()))));
-    return places;
 }
 
 /// Its axis halves the angle ψ between d1 and −d2; walls that lean ψ/2 more than the draft against the axis
@@ -99,13 +52,13 @@ std::vector<Vector2d> keyPlaces(const KeySettings& keys, const Directions& direc
     const double shift = shiftOf(keys, directions);
     std::vector<Vector2d> places;
     Obstacles taken = obstacles;
-    for (const Vector2d& wish : wishes(block, keys.count)) {
+    for (const Vector2d& wish : placesRound(block, keys.count)) {
         const double radius = socketRadius(keys, places.empty(), shift);
-        const std::optional<Vector2d> place = nearestFree(wish, radius, block, taken, steel);
+        const std::optional<Vector2d> place = nearestFree(wish, radius, block, taken, {steel, steel});
         if (!place)
             break;
         places.push_back(*place);
-        taken.push_back(planCircle(*place, radius, keyCorners));
+        taken.push_back(planCircle(*place, radius, circleCorners));
     }
     return places;
 }
@@ -117,7 +70,7 @@ Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const
     key.diameter = diameterOf(keys, odd);
     const double draft = std::max(keys.draft, draftDegrees);
     Result<DraftedPrism> frustum1 =
-        frustum(planCircle(place, key.diameter / 2, keyCorners), keys.height, directions, draft, grid);
+        frustum(planCircle(place, key.diameter / 2, circleCorners), keys.height, directions, draft, grid);
     if (!frustum1)
         return std::unexpected(frustum1.error());
     key.key = *std::move(frustum1);
@@ -128,8 +81,8 @@ Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const
     // Across a wall of slope k a gap of c is c·√(1+k²) along the plane, and the polygon's sides lie within
     // the circle through its corners.
     const double gap =
-        keys.clearance * std::sqrt(1 + steepest * steepest) / std::cos(radians(180.0 / keyCorners));
-    Result<DraftedPrism> socket = frustum(planCircle(place, key.diameter / 2 + gap, keyCorners),
+        keys.clearance * std::sqrt(1 + steepest * steepest) / std::cos(radians(180.0 / circleCorners));
+    Result<DraftedPrism> socket = frustum(planCircle(place, key.diameter / 2 + gap, circleCorners),
                                           keys.height + keys.clearance, directions, draft, grid);
     if (!socket)
         return std::unexpected(socket.error());

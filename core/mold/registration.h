@@ -4,7 +4,7 @@
 #include "base/result.h"
 #include "castability/mold_state.h"
 #include "features/drafted_prism.h"
-#include "mold/block.h"
+#include "mold/free_place.h"
 #include "mold/mold_settings.h"
 
 #include <vector>
@@ -25,9 +25,6 @@ struct WedgeSlit {
     DraftedPrism prism; ///< opens by its first opening into the block's face; mm, mold's frame
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
 };
-
-/// What stands in the parting plane already.
-using Obstacles = std::vector<PlanShape>;
 
 /// Places for the keys as near to the block's corners as steel to everything else allows, the larger one
 /// first; fewer than asked for where there is no room: then the block must grow.

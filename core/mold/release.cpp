@@ -6,6 +6,7 @@
 #include "castability/exact_predicates.h"
 #include "castability/overhang.h"
 #include "mesh/check.h"
+#include "mesh/closest_point.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
@@ -13,12 +14,24 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace moldwright {
 
 namespace {
 
 using Eigen::Vector3d;
+
+std::vector<int> allFaces(const IndexedMesh& mesh) {
+    std::vector<int> all(static_cast<std::size_t>(mesh.faceCount()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+/// Halves and cast touch: a ray starts on the surface that it is compared with.
+double touchingDistance(const IndexedMesh& half) {
+    return 16 * onPlaneTolerance(half);
+}
 
 bool isSound(const IndexedMesh& half) {
     const MeshDiagnosis diagnosis = diagnose(half);
@@ -50,6 +63,67 @@ private:
     std::map<std::array<double, 4>, bool> m_known;
 };
 
+/// Whether nothing touches a face, and nothing is met when it moves along d: a bore, or lettering in the
+/// mold's outside. Such a face needs no draft. Places all over the face are looked at.
+class FreeAir {
+public:
+    FreeAir(const IndexedMesh& half, const IndexedMesh& other, const IndexedMesh& cast, const Vector3d& d)
+        : m_half(half), m_touching(touchingDistance(half)),
+          m_nearest{ClosestPoint(other), ClosestPoint(cast)},
+          m_over{Overhang(other, allFaces(other), d), Overhang(cast, allFaces(cast), d)} {}
+
+    [[nodiscard]] bool holds(int f) const {
+        constexpr int parts = 8;
+        double farthest = 0;
+        for (int i = 1; i < parts; ++i)
+            for (int j = 1; i + j < parts; ++j) {
+                const Vector3d p = (i * m_half.corner(f, 0) + j * m_half.corner(f, 1) +
+                                    (parts - i - j) * m_half.corner(f, 2)) /
+                                   parts;
+                for (const Overhang& over : m_over)
+                    if (over.above(p) > m_touching)
+                        return false;
+                farthest = std::max(farthest, std::min(m_nearest[0].distance(p), m_nearest[1].distance(p)));
+            }
+        return farthest > m_same;
+    }
+
+private:
+    const IndexedMesh& m_half;
+    double m_touching;
+    double m_same; ///< surfaces that touch agree to a unit of the grid
+    std::array<ClosestPoint, 2> m_nearest;
+    std::array<Overhang, 2> m_over;
+};
+
+/// Faces thinner than what counts as touching, where a bore's wall ends at the cavity: they go with the wall.
+void addRimSlivers(const IndexedMesh& half, std::vector<int>& stuck, std::vector<int>& free) {
+    const double thin = touchingDistance(half);
+    std::set<std::array<int, 2>> edges;
+    const auto edge = [&](int f, int k) {
+        const auto [low, high] = std::minmax(half.F(f, k), half.F(f, (k + 1) % 3));
+        return std::array{low, high};
+    };
+    for (std::size_t next = 0; next < free.size(); ++next) {
+        for (int k = 0; k < 3; ++k)
+            edges.insert(edge(free[next], k));
+        if (next + 1 < free.size())
+            continue;
+        std::erase_if(stuck, [&](int f) {
+            double longest = 0;
+            bool beside = false;
+            for (int k = 0; k < 3; ++k) {
+                longest = std::max(longest, (half.corner(f, (k + 1) % 3) - half.corner(f, k)).norm());
+                beside = beside || edges.contains(edge(f, k));
+            }
+            if (!beside || doubleAreaVector(half, f).norm() > thin * longest)
+                return false;
+            free.push_back(f);
+            return true;
+        });
+    }
+}
+
 std::vector<int> facesNotLeaving(const IndexedMesh& half, const IndexedMesh& other, const IndexedMesh& cast,
                                  const Vector3d& d, double tau) {
     Outside outside(half, other, cast);
@@ -59,6 +133,17 @@ std::vector<int> facesNotLeaving(const IndexedMesh& half, const IndexedMesh& oth
         if (!leavesAlong(half.corner(f, 0), half.corner(f, 2), half.corner(f, 1), d, tau) &&
             !outside.holds(f))
             stuck.push_back(f);
+    if (stuck.empty())
+        return stuck;
+    const FreeAir air(half, other, cast, d);
+    std::vector<int> free;
+    std::erase_if(stuck, [&](int f) {
+        if (!air.holds(f))
+            return false;
+        free.push_back(f);
+        return true;
+    });
+    addRimSlivers(half, stuck, free);
     return stuck;
 }
 
@@ -71,11 +156,8 @@ bool canBeAimedAt(const IndexedMesh& mesh, int f, const Vector3d& d) {
 }
 
 std::vector<int> facesMeeting(const IndexedMesh& half, const IndexedMesh& obstacle, const Vector3d& d) {
-    std::vector<int> all(static_cast<std::size_t>(obstacle.faceCount()));
-    std::iota(all.begin(), all.end(), 0);
-    const Overhang over(obstacle, all, d);
-    // Halves and cast touch: a ray starts on the surface that it is compared with.
-    const double touching = 16 * onPlaneTolerance(half);
+    const Overhang over(obstacle, allFaces(obstacle), d);
+    const double touching = touchingDistance(half);
     std::vector<char> meets(static_cast<std::size_t>(half.faceCount()), 0);
     constexpr std::size_t grain = 4096;
     parallelFor(meets.size(), grain, [&](std::size_t begin, std::size_t end) {

@@ -11,8 +11,10 @@ namespace moldwright {
 /// Whether a mold half, as a mesh, can leave along its direction; found from the meshes alone, without
 /// knowing how they were built.
 struct HalfRelease {
-    bool sound = false;          ///< closed, manifold, outward, one component, free of self-intersection
-    std::vector<int> stuckFaces; ///< faces, not on the mold's outside, with −N·d < sin(draft); exact
+    bool sound = false; ///< closed, manifold, outward, one component, free of self-intersection
+    /// Faces, not on the mold's outside, with −N·d < sin(draft), exact; but for those in free air, that
+    /// nothing touches or meets: bores, lettering.
+    std::vector<int> stuckFaces;
     std::vector<int> sweptFaces; ///< faces from whose centre a ray along d meets the cast or the other half
     [[nodiscard]] bool freeToMove() const { return stuckFaces.empty() && sweptFaces.empty(); }
 };

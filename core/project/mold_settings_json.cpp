@@ -59,6 +59,13 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"slits", "depth"}, mold.slits.depth);
     at.value({"slits", "width"}, mold.slits.width);
     at.value({"slits", "height"}, mold.slits.height);
+    at.value({"bolts", "count"}, mold.bolts.count);
+    at.value({"bolts", "diameter"}, mold.bolts.diameter);
+    at.value({"bolts", "wall"}, mold.bolts.wall);
+    at.value({"bolts", "clear"}, mold.bolts.clear);
+    at.value({"ejectors", "count"}, mold.ejectors.count);
+    at.value({"ejectors", "diameter"}, mold.ejectors.diameter);
+    at.value({"ejectors", "side"}, mold.ejectors.side);
 }
 
 using Path = std::initializer_list<const char*>;

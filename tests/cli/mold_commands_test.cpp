@@ -171,10 +171,11 @@ TEST_F(MoldCommands, OtherProgramsFindNoFaultInTheHalves) {
     if (std::system("command -v admesh > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "admesh is not installed";
     const std::string file = project(test::sheared(test::ball(12, 4), 0.3, 0.35));
-    ASSERT_EQ(test::runProgram({"mold", file, "--out", in("out"), "--cavities", "1x2", "--spout", "auto",
-                                "--vents", "auto", "--keys", "4", "--slits", "2"})
-                  .exitCode,
-              0);
+    ASSERT_EQ(
+        test::runProgram({"mold", file, "--out", in("out"), "--cavities", "1x2", "--spout", "auto", "--vents",
+                          "auto", "--keys", "4", "--slits", "2", "--bolts", "4", "--ejectors", "2"})
+            .exitCode,
+        0);
     for (const char* half : {"1", "2"}) {
         const std::string command = "admesh '" + in(std::string("out/mold-half-") + half + ".stl") + "' > '" +
                                     in("admesh.txt") + "' 2>&1";

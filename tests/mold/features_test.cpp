@@ -6,6 +6,7 @@
 #include "mold/mold.h"
 #include "mold/shrink.h"
 #include "support/casts.h"
+#include "support/molds.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -19,34 +20,6 @@ using namespace moldwright::test;
 using Eigen::Vector3d;
 
 namespace {
-
-Result<Mold> moldOf(const KnownCast& cast, const MoldSettings& settings, double draft = 1) {
-    return buildMold(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, draft, settings);
-}
-
-void expectVerified(const Result<Mold>& mold) {
-    ASSERT_TRUE(mold.has_value()) << mold.error().english();
-    for (const std::string& problem : mold->problems)
-        ADD_FAILURE() << problem;
-    EXPECT_TRUE(mold->verified()) << mold->castCertificate.reason;
-    const double whole = mold->half1.volume + mold->half2.volume + volume(*mold->cast) + mold->otherVolume;
-    EXPECT_NEAR(whole, mold->blockVolume, 1e-6 * whole);
-}
-
-/// All features of the command in the issue.
-MoldSettings everything() {
-    MoldSettings settings;
-    settings.spout.on = true;
-    settings.vents.on = true;
-    settings.keys.count = 4;
-    settings.slits.count = 2;
-    return settings;
-}
-
-int count(const Mold& mold, const std::string& kind) {
-    return static_cast<int>(std::count_if(mold.features.begin(), mold.features.end(),
-                                          [&](const MoldFeature& f) { return f.kind == kind; }));
-}
 
 const ThinSteel* steelBetween(const Mold& mold, const std::string& a, const std::string& b) {
     for (const ThinSteel& thin : mold.steel)
@@ -101,7 +74,7 @@ TEST(MoldFeatures, HemispheresHaveTheSteelBetweenThem) {
 }
 
 TEST(MoldFeatures, AllOfThemTogetherAreProved) {
-    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), everything());
+    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), everyFeature());
     expectVerified(mold);
     EXPECT_EQ(count(*mold, "spout"), 1);
     EXPECT_EQ(count(*mold, "key"), 4);
@@ -112,7 +85,7 @@ TEST(MoldFeatures, AllOfThemTogetherAreProved) {
 }
 
 TEST(MoldFeatures, RunnersFeedAllCavities) {
-    MoldSettings settings = everything();
+    MoldSettings settings = everyFeature();
     settings.layout = {3, 4, Arrangement::Grid, Alternation::None, 5};
     const Result<Mold> mold = moldOf(ball(8, 4), settings);
     expectVerified(mold);
@@ -127,7 +100,7 @@ TEST(MoldFeatures, EachSolidOfAPartHasItsGate) {
     IndexedMesh second = frusta(8, 6, 4, 2, lean).mesh;
     second.V.col(0).array() += 22;
     cast.mesh = together(cast.mesh, second);
-    MoldSettings settings = everything();
+    MoldSettings settings = everyFeature();
     expectVerified(moldOf(cast, settings));
     settings.layout.columns = 2;
     const Result<Mold> mold = moldOf(cast, settings);
@@ -137,7 +110,7 @@ TEST(MoldFeatures, EachSolidOfAPartHasItsGate) {
 }
 
 TEST(MoldFeatures, RunnersKeepTheWallToTheOutside) {
-    MoldSettings settings = everything();
+    MoldSettings settings = everyFeature();
     settings.layout = {2, 2, Arrangement::Grid, Alternation::None, 5};
     const Result<Mold> mold = moldOf(ball(8, 4), settings);
     expectVerified(mold);
@@ -145,7 +118,7 @@ TEST(MoldFeatures, RunnersKeepTheWallToTheOutside) {
 }
 
 TEST(MoldFeatures, OfAFlatBackedPartLeaveTheSecondHalfFlat) {
-    MoldSettings settings = everything();
+    MoldSettings settings = everyFeature();
     settings.layout.columns = 2;
     settings.slits.count = 0;
     settings.keys.count = 0;
@@ -159,7 +132,7 @@ TEST(MoldFeatures, FollowObliqueDirections) {
         KnownCast cast = sheared(ball(15, 4), s1, s2);
         ASSERT_GT(std::acos(cast.state.directions.d1.z()), radians(15));
         cast = moved(cast, {1, 2, 3}, 0.8, {5, -7, 2});
-        MoldSettings settings = everything();
+        MoldSettings settings = everyFeature();
         for (const int columns : {1, 2}) {
             settings.layout.columns = columns;
             settings.layout.rows = columns;
@@ -241,7 +214,7 @@ TEST(MoldFeatures, VentsServeWhatTheSpoutDoesNot) {
     towers.directions = {std::vector<Vector3d>{Vector3d::UnitZ()}, std::vector<Vector3d>{-Vector3d::UnitZ()}};
     towers.grid = 1.0 / 65536;
     const IndexedMesh part = *prismSolid(draftedPrism(towers).value());
-    MoldSettings settings = everything();
+    MoldSettings settings = everyFeature();
     std::vector<int> vents;
     for (const PourDirection pour :
          {PourDirection::Turn0, PourDirection::Turn90, PourDirection::Turn180, PourDirection::Turn270}) {
@@ -265,7 +238,7 @@ TEST(MoldFeatures, VentsNeedASpout) {
 }
 
 TEST(MoldFeatures, AreTheSameEachTime) {
-    MoldSettings settings = everything();
+    MoldSettings settings = everyFeature();
     settings.layout.columns = 2;
     const Result<Mold> first = moldOf(sheared(ball(15, 4), 0.3, -0.1), settings);
     const Result<Mold> second = moldOf(sheared(ball(15, 4), 0.3, -0.1), settings);

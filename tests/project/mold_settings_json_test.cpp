@@ -16,6 +16,8 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     settings.vents = {true, 2, 3};
     settings.keys = {4, 5, 3, 0.3, 7, 2};
     settings.slits = {2, 5, 10, 1};
+    settings.bolts = {4, 5, 2, 2.5};
+    settings.ejectors = {3, 2.5, 1};
     EXPECT_EQ(moldSettingsFrom(moldSettingsJson(settings)), settings);
 }
 

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The builder's stage that finds room: what stands in the plane, and a block that has place for all of it.
+#include "mesh/measures.h"
+#include "mold/mold_builder.h"
+
+#include <algorithm>
+
+namespace moldwright {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+std::vector<MoldBuilder::OutwardHole> MoldBuilder::outwardHoles(const CavityCopy& copy) const {
+    std::vector<OutwardHole> holes;
+    const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
+    const EjectorSettings& ejectors = m_mold.settings.ejectors;
+    for (const EjectorPlace& place : m_ejectors[copy.kind]) {
+        const HalfBore bore{ejectors.side, place.axis, {}};
+        holes.push_back({bore.at(place.inside, m_mold.directions.of(ejectors.side)) + by, ejectors.side,
+                         ejectors.diameter / 2});
+    }
+    if (m_mold.settings.vents.on)
+        for (const AirTrap& trap : m_traps[copy.kind]) {
+            const Vector3d top = m_kinds[copy.kind].cast.point(trap.point);
+            holes.push_back({top + by, top.z() >= 0 ? 1 : 2, m_mold.settings.vents.diameter});
+        }
+    return holes;
+}
+
+Vector3d MoldBuilder::mouthOf(const OutwardHole& hole, const Eigen::AlignedBox3d& block) const {
+    const Vector3d& d = m_mold.directions.of(hole.side);
+    const double end = hole.side == 1 ? block.max().z() : block.min().z();
+    return hole.foot + d * ((end - hole.foot.z()) / d.z());
+}
+
+Obstacles MoldBuilder::planObstacles(const Block& block) const {
+    Obstacles obstacles;
+    for (const CavityCopy& copy : m_layout.copies) {
+        obstacles.push_back(movedPlan(m_kinds[copy.kind].hull, copy.offset));
+        for (const OutwardHole& hole : outwardHoles(copy)) {
+            // Oblique ones pass over the plane beside the cavity.
+            Points ends(2 * circleCorners, 3);
+            int row = 0;
+            for (const Vector3d& end : {hole.foot, mouthOf(hole, block)})
+                for (const Vector2d& p : planCircle(end.head<2>(), hole.radius, circleCorners))
+                    ends.row(row++) << p.x(), p.y(), 0;
+            obstacles.push_back(planHull(ends));
+        }
+    }
+    if (spout().on)
+        addChannelObstacles(obstacles, block.max().y());
+    return obstacles;
+}
+
+void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const {
+    const double funnel = std::max(spout().funnel, spout().diameter) / 2;
+    if (single()) {
+        // Spout and vents go straight up.
+        const IndexedMesh& cast = m_kinds.front().cast;
+        const auto add = [&](int point, double half) {
+            const Vector2d tip = cast.V.row(point).head<2>().transpose() + m_layout.copies.front().offset;
+            obstacles.push_back(planRectangle({tip.x() - half, tip.y()}, {tip.x() + half, faceY}));
+        };
+        for (const Gate& gate : m_gates.front())
+            add(gate.point, funnel);
+        if (m_mold.settings.vents.on)
+            for (const AirTrap& trap : m_traps.front())
+                add(trap.point, m_mold.settings.vents.diameter);
+        return;
+    }
+    const ChannelWidths& widths = m_widths;
+    Eigen::AlignedBox2d all;
+    for (const CavityCopy& copy : m_layout.copies)
+        for (const Vector2d& p : m_kinds[copy.kind].hull)
+            all.extend(Vector2d(p + copy.offset));
+    for (const double axis : m_layout.runnerAxes)
+        obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
+                                          {all.max().x() + widths.gate, axis + widths.runner / 2}));
+    const double half = std::max(funnel, widths.main / 2);
+    obstacles.push_back(planRectangle(
+        {m_layout.mainAxis - half, m_layout.runnerAxes.front() - widths.runner / 2 - widths.beside},
+        {m_layout.mainAxis + half, faceY}));
+}
+
+Block MoldBuilder::blockFor(double wallX, double wallY) const {
+    BlockContent content;
+    content.wallX = wallX;
+    content.wallY = wallY;
+    for (const CavityCopy& copy : m_layout.copies)
+        content.cavities.extend(
+            boundingBox(m_kinds[copy.kind].cast).translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
+    const double depth = std::max(m_mold.settings.floor, m_mold.settings.ceiling) + m_mold.settings.step;
+    Eigen::AlignedBox3d deep = content.cavities;
+    deep.extend(Vector3d(deep.min() - Vector3d(0, 0, depth)))
+        .extend(Vector3d(deep.max() + Vector3d(0, 0, depth)));
+    for (const CavityCopy& copy : m_layout.copies)
+        for (const OutwardHole& hole : outwardHoles(copy)) {
+            const Vector3d mouth = mouthOf(hole, deep);
+            for (const double way : {-1.0, 1.0})
+                content.cavities.extend(
+                    Vector3d(mouth.x() + way * hole.radius, mouth.y() + way * hole.radius, 0));
+        }
+    if (spout().on) {
+        const ChannelWidths& widths = m_widths;
+        const double tail = m_end.face - m_end.line;
+        if (single()) {
+            content.spoutTop = content.cavities.max().y() + m_mold.settings.layout.spacing / 2 +
+                               spoutLength(spout(), widths.gate, widths.straight()) + tail;
+        } else {
+            for (const double way : {-1.0, 1.0}) {
+                content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
+                // Runners reach beyond the outermost gates.
+                for (const CavityCopy& copy : m_layout.copies)
+                    for (const Gate& gate : m_gates[copy.kind])
+                        content.cavities.extend(Vector3d(m_kinds[copy.kind].cast.V(gate.point, 0) +
+                                                             copy.offset.x() +
+                                                             way * (widths.gate / 2 + widths.beside),
+                                                         0, 0));
+            }
+            const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
+            content.spoutTop =
+                std::max(top + spoutLength(spout(), widths.main, widths.straight()) + tail, top + wallY);
+        }
+    }
+    return blockAround(content, m_mold.settings, m_grid);
+}
+
+bool MoldBuilder::placeOn(const Block& block) {
+    const MoldSettings& settings = m_mold.settings;
+    Obstacles obstacles = planObstacles(block);
+    m_boltPlaces = boltPlaces(settings.bolts, block, obstacles);
+    for (const Vector2d& place : m_boltPlaces)
+        obstacles.push_back(boltOutline(settings.bolts, place, m_grid));
+    m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel);
+    for (const Vector2d& place : m_slitPlaces)
+        obstacles.push_back(slitShape(settings.slits, place));
+    m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel);
+    return static_cast<int>(m_boltPlaces.size()) == settings.bolts.count &&
+           static_cast<int>(m_slitPlaces.size()) == settings.slits.count &&
+           static_cast<int>(m_keyPlaces.size()) == settings.keys.count;
+}
+
+Result<void> MoldBuilder::fitBlock() {
+    const MoldSettings& settings = m_mold.settings;
+    if (spout().on) {
+        const Result<double> tail = tailLength(0.4 * std::max(spout().diameter, spout().gate), m_rules);
+        if (!tail)
+            return std::unexpected(tail.error());
+        m_end = {*tail, 0};
+    }
+    constexpr int growths = 60;
+    bool fits = false;
+    // A band left and right makes room at the corners; what is wanted between them may need one all round.
+    for (const bool allRound : {false, true})
+        for (int growth = 0; growth < growths && !fits; ++growth) {
+            m_block = blockFor(settings.wall + growth, settings.wall + (allRound ? growth : 0));
+            fits = placeOn(m_block);
+        }
+    if (!fits)
+        return failure(ErrorCode::Impossible,
+                       MW_TEXT("Mold", "There is no room for {0} keys, {1} slits and {2} bolt holes. Ask for "
+                                       "fewer or smaller ones."),
+                       {std::to_string(settings.keys.count), std::to_string(settings.slits.count),
+                        std::to_string(settings.bolts.count)});
+    const double tail = m_end.face - m_end.line;
+    m_end = {m_block.max().y(), m_block.max().y() - tail};
+    return makeRegistration();
+}
+
+Result<void> MoldBuilder::makeRegistration() {
+    const MoldSettings& settings = m_mold.settings;
+    for (const Vector2d& place : m_keyPlaces) {
+        Result<RegistrationKey> key = registrationKey(settings.keys, m_keys.empty(), place, m_mold.directions,
+                                                      m_mold.draftDegrees, m_grid);
+        if (!key)
+            return std::unexpected(key.error());
+        m_keys.push_back(*std::move(key));
+    }
+    for (const Vector2d& place : m_slitPlaces) {
+        Result<WedgeSlit> slit =
+            wedgeSlit(settings.slits, place, m_mold.directions, m_mold.draftDegrees, m_grid);
+        if (!slit)
+            return std::unexpected(slit.error());
+        m_slits.push_back(*std::move(slit));
+    }
+    for (const Vector2d& place : m_boltPlaces)
+        m_bolts.push_back(boltOutline(settings.bolts, place, m_grid));
+    return {};
+}
+
+} // namespace moldwright

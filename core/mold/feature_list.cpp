@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The builder's list of what it made, for mold.json, the report, and the places that a view points at.
+#include "mesh/measures.h"
+#include "mold/mold_builder.h"
+
+namespace moldwright {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+Vector3d middleOf(const DraftedPrism& prism) {
+    Vector2d sum = Vector2d::Zero();
+    for (const Vector2d& p : prism.base)
+        sum += p / static_cast<double>(prism.base.size());
+    return {sum.x(), sum.y(), 0};
+}
+
+std::vector<std::pair<std::string, double>> sizesOf(const DraftedPrism& prism) {
+    return {
+        {"volume", volume(*prismSolid(prism))}, {"height_1", prism.height[0]}, {"height_2", prism.height[1]}};
+}
+
+} // namespace
+
+void MoldBuilder::listFeatures() {
+    const MoldSettings& settings = m_mold.settings;
+    const Vector3d size = m_block.sizes();
+    m_mold.features.push_back({"block",
+                               "Block",
+                               m_block.center(),
+                               {{"size_x", size.x()},
+                                {"size_y", size.y()},
+                                {"size_z", size.z()},
+                                {"wall", settings.wall},
+                                {"floor", settings.floor},
+                                {"ceiling", settings.ceiling}},
+                               {}});
+    for (const CavityCopy& copy : m_layout.copies)
+        listCavity(copy);
+    listChannels();
+    listRegistration();
+    listBolts();
+}
+
+void MoldBuilder::listCavity(const CavityCopy& copy) {
+    std::vector<MoldFeature>& features = m_mold.features;
+    const CavityKind& kind = m_kinds[copy.kind];
+    const JoinedCavity& joined = m_joined[copy.kind];
+    const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
+    features.push_back({"cavity",
+                        kind.mirrored ? "Cavity, mirrored" : "Cavity",
+                        by,
+                        {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}},
+                        {}});
+    const char* filledBy = single() ? "spout" : "gate";
+    for (const Stub& stub : joined.stubs)
+        features.push_back(
+            {stub.vent ? "vent" : filledBy, stub.name, middleOf(stub.prism) + by, sizesOf(stub.prism), {}});
+    for (const ThroughVent& vent : joined.vents)
+        features.push_back({"vent",
+                            "Vent through half " + std::to_string(vent.side),
+                            vent.mouth + by,
+                            {{"diameter", m_mold.settings.vents.diameter}, {"side", vent.side}},
+                            {}});
+    listBores(copy);
+    for (const RemainingAir& air : joined.remaining) {
+        m_mold.trappedAir += air.volume;
+        features.push_back({"trapped_air",
+                            "Air that stays",
+                            air.place + by,
+                            {{"volume", air.volume}},
+                            "No vent can be placed here, or none that reaches higher."});
+    }
+}
+
+void MoldBuilder::listChannels() {
+    for (const Channel& channel : m_net.channels)
+        m_mold.features.push_back({channel.name == "Spout" ? "spout" : "runner",
+                                   channel.name,
+                                   middleOf(channel.prism),
+                                   sizesOf(channel.prism),
+                                   {}});
+    m_mold.pathLengths = m_net.pathLengths;
+}
+
+void MoldBuilder::listRegistration() {
+    const MoldSettings& settings = m_mold.settings;
+    for (const RegistrationKey& key : m_keys) {
+        const bool raised = key.leanDegrees > settings.keys.draft + 0.5;
+        m_mold.features.push_back({"key",
+                                   "Key",
+                                   {key.place.x(), key.place.y(), 0},
+                                   {{"diameter", key.diameter},
+                                    {"height", settings.keys.height},
+                                    {"clearance", settings.keys.clearance},
+                                    {"lean_deg", key.leanDegrees}},
+                                   raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
+                                                "°: with less it would hold when one half is opened first."
+                                          : ""});
+    }
+    for (const WedgeSlit& slit : m_slits)
+        m_mold.features.push_back({"slit",
+                                   "Wedge slit",
+                                   {slit.place.x(), slit.place.y(), 0},
+                                   {{"depth", settings.slits.depth},
+                                    {"width", settings.slits.width},
+                                    {"height", settings.slits.height}},
+                                   {}});
+}
+
+void MoldBuilder::listBores(const CavityCopy& copy) {
+    const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
+    const std::vector<HalfBore>& bores = m_joined[copy.kind].bores;
+    for (std::size_t i = 0; i < bores.size(); ++i) {
+        const Vector3d& d = m_mold.directions.of(bores[i].side);
+        const Vector3d tip = bores[i].at(m_ejectors[copy.kind][i].tip, d);
+        const double length = (bores[i].at(bores[i].stations.back().height, d) - tip).norm();
+        m_mold.features.push_back(
+            {"ejector",
+             "Ejector hole in half " + std::to_string(bores[i].side),
+             tip + by,
+             {{"diameter", m_mold.settings.ejectors.diameter}, {"side", bores[i].side}, {"length", length}},
+             {}});
+    }
+}
+
+void MoldBuilder::listBolts() {
+    for (const Vector2d& place : m_boltPlaces)
+        m_mold.features.push_back(
+            {"bolt",
+             "Bolt hole",
+             {place.x(), place.y(), 0},
+             {{"diameter", m_mold.settings.bolts.diameter}, {"length", m_block.sizes().z()}},
+             {}});
+}
+
+} // namespace moldwright

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "features/plan_shape.h"
+#include "mold/block.h"
+
+#include <optional>
+#include <vector>
+
+namespace moldwright {
+
+/// What stands in the parting plane already.
+using Obstacles = std::vector<PlanShape>;
+
+/// Whether a shape keeps `steel` mm from all obstacles.
+[[nodiscard]] bool keepsClear(const PlanShape& shape, const Obstacles& obstacles, double steel);
+
+/// Steel that a round feature keeps, mm.
+struct Clearances {
+    double outside = 0; ///< to the block's faces
+    double inside = 0;  ///< to everything that stands in the plane
+};
+
+/// The free place for a circle that is nearest to `wish`, in the part of the block that is nearer to it than
+/// to its middle; none where there is no room.
+[[nodiscard]] std::optional<Eigen::Vector2d> nearestFree(const Eigen::Vector2d& wish, double radius,
+                                                         const Block& block, const Obstacles& obstacles,
+                                                         const Clearances& steel);
+
+/// Where features round the block are wanted: its corners, alternately opposite, then the middles of its
+/// sides; eight at most.
+[[nodiscard]] std::vector<Eigen::Vector2d> placesRound(const Block& block, int count);
+
+/// Corners of the polygons that stand for circles in the plane.
+constexpr int circleCorners = 32;
+
+} // namespace moldwright
