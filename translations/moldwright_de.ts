@@ -1656,6 +1656,30 @@
         <source>At the parting line, where the directions are not parallel.</source>
         <translation>An der Trennlinie, wo die Richtungen nicht parallel sind.</translation>
     </message>
+    <message>
+        <source>While it bends</source>
+        <translation>Beim Verformen</translation>
+    </message>
+    <message>
+        <source>Whether directions that are best for the plane are sought anew as the shape bends. The paper&apos;s method always does that.</source>
+        <translation>Ob die besten Richtungen zur Ebene neu gesucht werden, während sich die Form verformt. Das veröffentlichte Verfahren tut das immer.</translation>
+    </message>
+    <message>
+        <source>They stay</source>
+        <translation>Sie bleiben</translation>
+    </message>
+    <message>
+        <source>They follow the shape</source>
+        <translation>Sie folgen der Form</translation>
+    </message>
+    <message>
+        <source>Smoothing γ</source>
+        <translation>Glättung γ</translation>
+    </message>
+    <message>
+        <source>How much neighbours turn alike, in the paper&apos;s method and while pins are drawn into the plane.</source>
+        <translation>Wie sehr sich Nachbarn gleich drehen, im veröffentlichten Verfahren und während Heftpunkte in die Ebene gezogen werden.</translation>
+    </message>
 </context>
 <context>
     <name>Samples</name>
@@ -1797,6 +1821,10 @@
     <message>
         <source>No direction within {0}° of the axis leaves the plane within {1}° of its normal. Turn the plane towards the axis, or allow more.</source>
         <translation>Keine Richtung, die höchstens {0}° von der Achse abweicht, verlässt die Ebene höchstens {1}° neben ihrer Normalen. Die Ebene zur Achse drehen oder mehr zulassen.</translation>
+    </message>
+    <message>
+        <source>The shape that the run had reached could not be parted at this plane: bending began anew with the part.</source>
+        <translation>Die erreichte Form ließ sich an dieser Ebene nicht teilen: Die Verformung begann neu mit dem Teil.</translation>
     </message>
 </context>
 <context>
@@ -2624,6 +2652,10 @@
         <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
         <translation>Über das Teil &lt;b&gt;malen&lt;/b&gt;. %1 Mit &lt;b&gt;Strg&lt;/b&gt; umgekehrt, &lt;b&gt;Alt+Mausrad&lt;/b&gt; ändert die Größe, &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
     </message>
+    <message>
+        <source>The part bends; plane, pins and draft may change meanwhile. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
+        <translation>Das Teil verformt sich; Ebene, Heftpunkte und Schräge dürfen sich dabei ändern. &lt;b&gt;Leertaste&lt;/b&gt; hält es an, &lt;b&gt;Strg+.&lt;/b&gt; bricht ab.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -3144,6 +3176,22 @@
     <message>
         <source>%1 changed its shape by %2 mm, more than the %3 mm allowed. Give it more weight, or take another plane.</source>
         <translation>%1 hat die Form um %2 mm geändert, mehr als die erlaubten %3 mm. Geben Sie mehr Gewicht oder nehmen Sie eine andere Ebene.</translation>
+    </message>
+    <message>
+        <source>Changed during the run</source>
+        <translation>Während des Laufs geändert</translation>
+    </message>
+    <message>
+        <source>The run has ended without the last changes.</source>
+        <translation>Der Lauf endete ohne die letzten Änderungen.</translation>
+    </message>
+    <message>
+        <source>Run bends the part with them; Undo brings back the cast without them.</source>
+        <translation>Start verformt das Teil mit ihnen; Rückgängig holt den Guss ohne sie zurück.</translation>
+    </message>
+    <message>
+        <source>A run cannot take this up while it goes on. The next run does.</source>
+        <translation>Ein Lauf kann dies nicht übernehmen, während er läuft. Der nächste tut es.</translation>
     </message>
 </context>
 <context>

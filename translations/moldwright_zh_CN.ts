@@ -1919,6 +1919,30 @@
         <source>Change the block</source>
         <translation>更改模块</translation>
     </message>
+    <message>
+        <source>While it bends</source>
+        <translation>变形过程中</translation>
+    </message>
+    <message>
+        <source>Whether directions that are best for the plane are sought anew as the shape bends. The paper&apos;s method always does that.</source>
+        <translation>变形过程中是否重新寻找对分型面最佳的方向。论文方法总是如此。</translation>
+    </message>
+    <message>
+        <source>They stay</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>They follow the shape</source>
+        <translation>随形状更新</translation>
+    </message>
+    <message>
+        <source>Smoothing γ</source>
+        <translation>平滑 γ</translation>
+    </message>
+    <message>
+        <source>How much neighbours turn alike, in the paper&apos;s method and while pins are drawn into the plane.</source>
+        <translation>相邻部分一同转动的程度，用于论文方法以及将固定点拉入分型面时。</translation>
+    </message>
 </context>
 <context>
     <name>Samples</name>
@@ -2167,6 +2191,10 @@
     <message>
         <source>Pin the point {0} to the plane, {1} mm away, so that the plane runs through it.</source>
         <translation>把 {1} mm 外的点 {0} 固定到平面，使平面通过它。</translation>
+    </message>
+    <message>
+        <source>The shape that the run had reached could not be parted at this plane: bending began anew with the part.</source>
+        <translation>运行已达到的形状无法在此平面分型：已从零件重新开始变形。</translation>
     </message>
 </context>
 <context>
@@ -3022,6 +3050,10 @@
         <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
         <translation>在零件上&lt;b&gt;涂画&lt;/b&gt;。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;Alt+滚轮&lt;/b&gt;改变大小，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
     </message>
+    <message>
+        <source>The part bends; plane, pins and draft may change meanwhile. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
+        <translation>零件正在变形；其间可更改分型面、固定点和拔模角。&lt;b&gt;空格键&lt;/b&gt;暂停，&lt;b&gt;Ctrl+.&lt;/b&gt; 停止。</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -3714,6 +3746,22 @@
     <message>
         <source>%1 changed its shape by %2 mm, more than the %3 mm allowed. Give it more weight, or take another plane.</source>
         <translation>%1 的形状变化了 %2 mm，超过允许的 %3 mm。请增加权重，或换一个平面。</translation>
+    </message>
+    <message>
+        <source>Changed during the run</source>
+        <translation>运行期间的更改</translation>
+    </message>
+    <message>
+        <source>The run has ended without the last changes.</source>
+        <translation>运行已结束，未包含最后的更改。</translation>
+    </message>
+    <message>
+        <source>Run bends the part with them; Undo brings back the cast without them.</source>
+        <translation>再次运行会按这些更改变形；撤销可恢复未包含更改的铸件。</translation>
+    </message>
+    <message>
+        <source>A run cannot take this up while it goes on. The next run does.</source>
+        <translation>运行中无法采用此更改，下次运行时生效。</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,8 @@ enum class Needs {
     IdlePart,
     Plane,
     IdlePlane,
+    EditablePart,  ///< idle, or a run goes on that takes up what is changed
+    EditablePlane, ///< the same, and there is a plane
     SuggestedPlane,
     SuggestedTips,
     Pins,

@@ -7,15 +7,15 @@
 
 namespace moldwright {
 
-void FrameStream::put(const DesignFrame& frame, double draftDegrees) {
+void FrameStream::put(const DesignFrame& frame) {
     // What the view needs is made here, so that the interface thread need not.
-    ShownFrame shown{frame, scene::sketchedMesh(frame.shape), {}};
+    ShownFrame shown{frame, scene::sketchedMesh(frame.shape), {}, {}, {}};
     if (frame.shape) {
         const bool sketched = shown.drawn->sketched();
         const IndexedMesh& seen = sketched ? *shown.drawn->standIn->mesh : *frame.shape;
         shown.analysis = frame.labels.empty() || sketched
-                             ? analyzeDraft(seen, frame.state, draftDegrees, false)
-                             : analyzeCast(seen, frame.labels, frame.state, draftDegrees);
+                             ? analyzeDraft(seen, frame.state, frame.settings.draftDegrees, false)
+                             : analyzeCast(seen, frame.labels, frame.state, frame.settings.draftDegrees);
     }
     const std::lock_guard lock(m_mutex);
     m_newest = std::move(shown);

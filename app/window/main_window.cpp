@@ -164,7 +164,8 @@ std::set<Needs> MainWindow::given() const {
     const Project& project = m_bench.project();
     const bool idle = !m_bench.background().busy();
     const bool part = project.part != nullptr;
-    const bool plane = part && project.state.has_value();
+    const bool plane = part && m_bench.shownState().has_value();
+    const bool editable = m_bench.editable();
     const History& history = m_bench.document().history();
     std::set<Needs> given = {Needs::Nothing};
     const auto add = [&](Needs needs, bool so) {
@@ -176,11 +177,13 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::IdlePart, part && idle);
     add(Needs::Plane, plane);
     add(Needs::IdlePlane, plane && idle);
+    add(Needs::EditablePart, part && editable);
+    add(Needs::EditablePlane, plane && editable);
     add(Needs::SuggestedPlane, idle && m_bench.suggestedPlane().has_value());
     add(Needs::SuggestedTips,
-        idle && std::ranges::count(m_bench.suggestionsInView(), PinKind::Tip, &SuggestedPin::kind) > 0);
-    add(Needs::Pins, idle && !project.pins.empty());
-    add(Needs::ChosenGuide, idle && (pinNumber(m_selected) >= 0 || regionNumber(m_selected) >= 0));
+        editable && std::ranges::count(m_bench.suggestionsInView(), PinKind::Tip, &SuggestedPin::kind) > 0);
+    add(Needs::Pins, editable && !project.pins.empty());
+    add(Needs::ChosenGuide, editable && (pinNumber(m_selected) >= 0 || regionNumber(m_selected) >= 0));
     add(Needs::Regions, idle && !project.importance.empty());
     add(Needs::FillableObstruction, idle && !m_bench.placesToFill(obstructionNumber(m_selected)).empty());
     add(Needs::CastShape, idle && project.cast != nullptr);
@@ -189,8 +192,8 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::Running, m_bench.running());
     add(Needs::Bending, m_bench.bending());
     add(Needs::Measured, !m_measure->measurement().empty());
-    add(Needs::Undo, idle && history.canUndo());
-    add(Needs::Redo, idle && history.canRedo());
+    add(Needs::Undo, editable && history.canUndo());
+    add(Needs::Redo, editable && history.canRedo());
     return given;
 }
 
@@ -231,7 +234,9 @@ void MainWindow::refreshHint() {
         m_hint->setText(
             tr("The shape rests. <b>Space</b> bends it further, <b>Ctrl+Shift+Return</b> finishes it."));
     else if (m_bench.running())
-        m_hint->setText(tr("The part bends. <b>Space</b> holds it, <b>Ctrl+.</b> stops it."));
+        m_hint->setText(tr("The part bends; plane, pins and draft may change meanwhile. <b>Space</b> holds "
+                           "it, <b>Ctrl+.</b> stops "
+                           "it."));
     else if (pinsChosen(m_selected))
         m_hint->setText(tr("<b>Click</b> a pin to choose it, <b>Del</b> removes it; <b>P</b> pins another "
                            "point. %1")

@@ -104,7 +104,7 @@ void MainWindow::connectPartActions() {
     });
     m_actions.on(u"best-directions"_s, [this] { m_bench.findBestDirections(); });
     m_actions.on(u"normal-directions"_s, [this] {
-        const PartingPlane plane = m_bench.project().state->plane;
+        const PartingPlane plane = m_bench.projectInView().state->plane;
         m_bench.setState({plane, Directions::normalTo(plane)}, tr("Directions along the normal"));
     });
 }
@@ -253,7 +253,7 @@ void MainWindow::connectPanels() {
     connect(m_messages, &MessageList::showMe, this,
             [this](const Eigen::AlignedBox3d& place) { m_view->frame(place); });
     connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (row >= 0 && !m_bench.background().busy())
+        if (row >= 0 && m_bench.editable())
             m_bench.document().goTo(static_cast<std::size_t>(row));
     });
 }

@@ -59,7 +59,7 @@ void MainWindow::connectToolActions() {
     const std::array axes = {u"plane-x"_s, u"plane-y"_s, u"plane-z"_s};
     for (int axis = 0; axis < 3; ++axis)
         m_actions.on(axes[static_cast<std::size_t>(axis)], [this, axis] {
-            const PartingPlane& plane = m_bench.project().state->plane;
+            const PartingPlane plane = m_bench.projectInView().state->plane;
             const Eigen::Vector3d middle = m_bench.figures(m_bench.project().part).box.center();
             snapPlane(
                 squareTo(Eigen::Vector3d::Unit(axis), middle - plane.distance(middle) * plane.normal, plane));
@@ -70,6 +70,7 @@ void MainWindow::useTool(Tool tool) {
     m_tool = tool;
     m_planePoints.clear();
     m_measure->setActive(tool == Tool::Measure);
+    m_bench.setPicking(tool != Tool::None);
     auto picking = PartView::Picking::Nothing;
     for (const ToolSpec& spec : toolTable()) {
         m_actions[spec.command]->setChecked(spec.tool == tool);
@@ -124,17 +125,17 @@ void MainWindow::serveTools(ViewPane& pane) {
     connect(view, &PartView::brushScaled, this,
             [this](double factor) { m_bench.setBrushRadius(m_bench.brushRadius() * factor); });
     connect(view, &PartView::faceClicked, this, [this, &pane](int face) {
-        if (m_bench.background().busy())
+        if (!m_bench.editable())
             return;
         if (m_tool == Tool::LayFlat)
             m_bench.layFlatOn(face);
         else if (const scene::SharedDrawnMesh& drawn = m_bench.surface(pane.settings().content).drawn)
-            if (const auto plane = planeOfFace(*drawn->mesh, face, m_bench.project().state->plane))
+            if (const auto plane = planeOfFace(*drawn->mesh, face, m_bench.projectInView().state->plane))
                 snapPlane(*plane);
         useTool(Tool::None);
     });
     connect(view, &PartView::pointClicked, this, [this](const scene::SurfacePicker::Hit& hit) {
-        if (m_tool == Tool::PlaneByPoints && !m_bench.background().busy())
+        if (m_tool == Tool::PlaneByPoints && m_bench.editable())
             takePlanePoint(hit.point);
     });
     servePins(pane);
@@ -166,7 +167,7 @@ void MainWindow::servePins(ViewPane& pane) {
         m_bench.document().endPreview();
     });
     connect(view, &PartView::pinPlaced, this, [this](const Eigen::Vector3d& place) {
-        if (m_bench.background().busy())
+        if (!m_bench.editable())
             return;
         m_bench.addPin(place);
         select(pinId(static_cast<int>(m_bench.project().pins.size()) - 1));
@@ -174,7 +175,7 @@ void MainWindow::servePins(ViewPane& pane) {
     connect(view, &PartView::pinClicked, this, [this](const scene::PinAt& pin) {
         if (!pin.suggested)
             select(pinId(pin.number));
-        else if (!m_bench.background().busy())
+        else if (m_bench.editable())
             m_bench.acceptSuggestion(pin.number);
     });
 }
@@ -185,8 +186,8 @@ void MainWindow::takePlanePoint(const Eigen::Vector3d& point) {
         refreshSoon();
         return;
     }
-    const auto plane =
-        planeThrough({m_planePoints[0], m_planePoints[1], m_planePoints[2]}, m_bench.project().state->plane);
+    const auto plane = planeThrough({m_planePoints[0], m_planePoints[1], m_planePoints[2]},
+                                    m_bench.projectInView().state->plane);
     if (plane) {
         snapPlane(*plane);
         useTool(Tool::None);
@@ -199,7 +200,7 @@ void MainWindow::takePlanePoint(const Eigen::Vector3d& point) {
 }
 
 void MainWindow::snapPlane(const PartingPlane& plane) {
-    m_bench.setState(scene::withPlane(*m_bench.project().state, plane), tr("Snap the plane"));
+    m_bench.setState(scene::withPlane(*m_bench.projectInView().state, plane), tr("Snap the plane"));
     select(u"plane"_s);
 }
 

@@ -96,13 +96,13 @@ void MainWindow::connectPane(ViewPane& pane) {
     view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
     view->scene().setLook(theme().scene, view->devicePixelRatioF());
     connect(view, &PartView::dragPreviewed, this, [this](const MoldState& state, scene::Grip grip) {
-        m_bench.document().preview(draggedTo(m_bench.document().committed(), state, grip));
+        m_bench.document().preview(draggedTo(m_bench.projectInView(), state, grip));
     });
     connect(view, &PartView::dragCommitted, this, [this](const MoldState& state, scene::Grip grip) {
         const QString words = grip == scene::Grip::Direction1   ? tr("Turn direction 1")
                               : grip == scene::Grip::Direction2 ? tr("Turn direction 2")
                                                                 : tr("Move the plane");
-        m_bench.document().edit(words, draggedTo(m_bench.document().committed(), state, grip));
+        m_bench.document().edit(words, draggedTo(m_bench.projectInView(), state, grip));
     });
     connect(view, &PartView::dragCancelled, this, [this] { m_bench.document().endPreview(); });
     connect(view, &PartView::markClicked, this, [this](int chip) {
@@ -235,7 +235,7 @@ void MainWindow::refreshView(ViewPane& pane) {
     PartView& view = pane.view();
     scene::Scene& scene = view.scene();
     const bool inMold = moldShown() && settings.content == ViewContent::Newest;
-    view.setEditable(!inMold && !m_bench.background().busy());
+    view.setEditable(!inMold && m_bench.editable());
     const ShownSurface surface = m_bench.surface(settings.content);
     if (m_bench.shownMesh() && !surface.drawn)
         return; // the last picture stays until the next one can be drawn
@@ -266,9 +266,10 @@ void MainWindow::refreshView(ViewPane& pane) {
 
 void MainWindow::showGuides(scene::Scene& scene, const ShownSurface& surface) {
     const bool onPart = surface.drawn && surface.drawn->mesh == m_bench.project().part;
-    const bool suggested = m_visible.suggestedPins && pinsChosen(m_selected);
-    scene.setPins(onPart && m_visible.pins ? shownPins(m_bench, m_selected, suggested, m_visible)
-                                           : scene::ShownPins());
+    const bool onFrame = surface.drawn && m_bench.frame() && surface.drawn->mesh == m_bench.shownMesh();
+    const bool suggested = onPart && m_visible.suggestedPins && pinsChosen(m_selected);
+    scene.setPins((onPart || onFrame) && m_visible.pins ? shownPins(m_bench, m_selected, suggested, m_visible)
+                                                        : scene::ShownPins());
     scene.setFilling(onPart ? shownFilling(m_bench, m_selected) : nullptr);
 }
 

@@ -196,15 +196,16 @@ bool applyPinValue(Workbench& bench, const QString& id, const QString& page, dou
 scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool suggested,
                            const Visibility& visible) {
     scene::ShownPins shown;
-    const Project& project = bench.project();
     const int chosen = pinNumber(selected);
-    for (int i = 0; i < static_cast<int>(project.pins.size()); ++i) {
+    const std::optional<MoldState> state = bench.shownState();
+    const std::vector<Pin>& pins = bench.pinsInView();
+    for (int i = 0; i < static_cast<int>(pins.size()); ++i) {
         if (!visible.shows(pinId(i)))
             continue;
-        const Pin& pin = project.pins[static_cast<std::size_t>(i)];
+        const Pin& pin = pins[static_cast<std::size_t>(i)];
         scene::ShownPin it{.number = i, .place = pin.point, .onPlane = {}, .chosen = chosen == i};
-        if (project.state)
-            it.onPlane = pin.point - project.state->plane.distance(pin.point) * project.state->plane.normal;
+        if (state)
+            it.onPlane = pin.point - state->plane.distance(pin.point) * state->plane.normal;
         shown.pins.push_back(it);
     }
     if (suggested)

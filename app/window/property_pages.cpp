@@ -52,6 +52,10 @@ ChoiceProperty directionChoices() {
 auto directionRows() -> decltype(PropertySection::rows) {
     return {Property{u"choice"_s, Words::tr("Directions"),
                      Words::tr("How the removal directions are chosen."), directionChoices()},
+            Property{u"follow"_s, Words::tr("While it bends"),
+                     Words::tr("Whether directions that are best for the plane are sought anew as the shape "
+                               "bends. The paper's method always does that."),
+                     ChoiceProperty{{Words::tr("They stay"), Words::tr("They follow the shape")}}},
             number(u"tilt"_s, Words::tr("Tilt limit"),
                    Words::tr("How far a direction may lean from the plane's normal."),
                    {u"°"_s, 0, 60, 1, 0, true}),
@@ -181,6 +185,11 @@ PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
     PropertySection goal = draftGoal();
     goal.rows.push_back({u"method"_s, Words::tr("Method"), Words::tr("How the shape is bent."),
                          ChoiceProperty{{Words::tr("Elastic, then finish"), Words::tr("As in the paper")}}});
+    goal.rows.push_back(
+        number(u"smoothing"_s, Words::tr("Smoothing γ"),
+               Words::tr("How much neighbours turn alike, in the paper's method and while pins "
+                         "are drawn into the plane."),
+               {{}, 0, 1, 0.05, 2, true}));
     goal.rows.push_back(
         {u"fill"_s, Words::tr("Where bending fails"),
          Words::tr("What becomes of places that no bending frees: told as an obstruction, or filled."),

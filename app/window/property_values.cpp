@@ -236,6 +236,10 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
         design.limits.coneDegrees = number;
     else if (id == u"choice"_s)
         design.directionsChoice = choiceAt(value.toInt());
+    else if (id == u"follow"_s)
+        design.followDirections = value.toInt() == 1;
+    else if (id == u"smoothing"_s)
+        design.smoothing = number;
     else if (id == u"method"_s)
         design.method = value.toInt() == 1 ? DeformationMethod::Paper : DeformationMethod::Default;
     else if (id == u"fill"_s)
@@ -268,6 +272,8 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     panel.setValue(u"tilt"_s, project.design.limits.maxTiltDegrees);
     panel.setValue(u"axis"_s, axisIndex(project.design.limits));
     panel.setValue(u"cone"_s, project.design.limits.coneDegrees);
+    panel.setValue(u"follow"_s, project.design.followDirections ? 1 : 0);
+    panel.setValue(u"smoothing"_s, project.design.smoothing);
     panel.setValue(u"method"_s, project.design.method == DeformationMethod::Paper ? 1 : 0);
     panel.setValue(u"fill"_s, project.design.fill == FillChoice::Auto ? 1 : 0);
     panel.setValue(u"choice"_s, project.design.directionsChoice == DirectionsChoice::Normal  ? 1
@@ -294,7 +300,10 @@ void applyProperty(Workbench& bench, const QString& page, const QString& id, con
             bench.takeOffered(value.toInt());
         return;
     }
-    const auto edit = editFor(bench.document().committed(), id, value);
+    // Plane and directions are edited from where the run has them.
+    const bool ofState = id == u"offset"_s || id.startsWith(u"lean"_s) || id.startsWith(u"way"_s);
+    const Project from = ofState ? bench.projectInView() : bench.document().committed();
+    const auto edit = editFor(from, id, value);
     if (!edit)
         bench.document().endPreview();
     else if (preview)

@@ -35,6 +35,16 @@ void RunControl::waitWhileResting(const Task& task) {
         m_change.wait_for(lock, std::chrono::milliseconds(50));
 }
 
+void RunControl::post(const LiveSettings& settings) {
+    const std::lock_guard lock(m_mutex);
+    m_newest = settings;
+}
+
+std::optional<LiveSettings> RunControl::takeNewest() {
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_newest, std::nullopt);
+}
+
 bool RunControl::takeFinish() {
     const std::lock_guard lock(m_mutex);
     return std::exchange(m_finish, false);

@@ -23,6 +23,7 @@ Eigen::AlignedBox3d boxAround(const std::vector<Eigen::Vector3d>& places) {
 
 Workbench::Workbench(QObject* parent) : QObject(parent) {
     connect(&m_document, &Document::changed, this, [this] {
+        postLive();
         askAnalysis();
         askPart();
         forgetOldMaps();
@@ -60,7 +61,9 @@ SharedMesh Workbench::shownMesh() const {
 }
 
 std::optional<MoldState> Workbench::shownState() const {
-    return m_frame ? std::optional(m_frame->frame.state) : project().state;
+    // While the plane is dragged, what is dragged is in view.
+    const bool dragged = project().state != m_document.committed().state;
+    return m_frame && !dragged ? std::optional(m_frame->frame.state) : project().state;
 }
 
 void Workbench::askAnalysis() {

@@ -100,11 +100,19 @@ public:
     [[nodiscard]] bool castIsProved() const;
 
     [[nodiscard]] bool running() const { return m_stream != nullptr; }
+    /// Whether plane, directions and pins may be edited: no job runs, or one that takes them up.
+    [[nodiscard]] bool editable() const { return running() || !m_background.busy(); }
     /// Whether a run holds still.
     [[nodiscard]] bool resting() const { return running() && m_control->resting(); }
     /// Whether a run is at the stage that finish() ends.
     [[nodiscard]] bool bending() const { return m_frame && m_frame->frame.stage == "deformation"; }
     [[nodiscard]] const std::optional<ShownFrame>& frame() const { return m_frame; }
+    /// The project as an edit of plane or directions is to find it: at the state in view.
+    [[nodiscard]] Project projectInView() const;
+    /// Where the document's pins are in the shape in view; empty where that is not known.
+    [[nodiscard]] const std::vector<Pin>& pinsInView() const;
+    /// Something will be clicked on the shape in view.
+    void setPicking(bool picking);
     [[nodiscard]] const std::vector<ProgressPoint>& progress() const { return m_progress; }
     /// The planes that the last search offers for this part, best first; none before a search.
     [[nodiscard]] const std::vector<OfferedPlane>& offeredPlanes() const;
@@ -268,6 +276,11 @@ private:
     void readFile(const QString& file, const QString& name, bool sample);
     void takeResult(const Result<DesignResult>& result, const Project& from);
     void takeCast(const DesignResult& result, const Project& from);
+    void takeLateCast(const DesignResult& result, const Project& from);
+    void postLive();
+    void placePins();
+    void makePicker();
+    [[nodiscard]] Eigen::Vector3d inPart(const Eigen::Vector3d& inView) const;
     void takeObstructions(const DesignResult& result, const Project& from);
     void tellOfCast(const DesignResult& result);
     void tellOfStop(const DesignResult& result);
@@ -309,6 +322,10 @@ private:
     std::shared_ptr<RunControl> m_control;
     QTimer m_frameTimer;
     std::optional<ShownFrame> m_frame;
+    Project m_runFrom;     ///< what the run began with
+    LiveSettings m_posted; ///< what it was told last
+    bool m_picking = false;
+    bool m_toldOfLate = false; ///< that something waits for the next run
     std::vector<ProgressPoint> m_progress;
     std::vector<OfferedPlane> m_offered;
     SharedMesh m_offeredPart;

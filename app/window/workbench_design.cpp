@@ -3,38 +3,12 @@
 #include "window/workbench.h"
 
 #include "castability/directions.h"
+#include "project/design_request.h"
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "window/sentence.h"
 
 namespace moldwright {
-
-namespace {
-
-DesignRequest requestFor(const Project& project) {
-    DesignRequest request;
-    request.part = project.part;
-    // Which undercuts there are depends on the plane: choices among them hold it.
-    if ((project.planeChosenByHand || !project.undercuts.empty()) && project.state) {
-        request.plane = project.state->plane;
-        request.directions = project.state->directions;
-    }
-    request.directionsChoice = project.design.directionsChoice;
-    if (request.directionsChoice == DirectionsChoice::Given && !request.plane)
-        request.directionsChoice = DirectionsChoice::Automatic;
-    request.draftDegrees = project.design.draftDegrees;
-    request.limits = project.design.limits;
-    request.undercuts = project.undercuts;
-    request.method = project.design.method;
-    request.fill = project.design.fill;
-    request.pins = project.pins;
-    request.faceWeights = faceWeights(project.importance, project.part->faceCount());
-    request.regions = keptRegions(project.importance);
-    request.seed = project.design.seed;
-    return request;
-}
-
-} // namespace
 
 void Workbench::findBestPlane() {
     const Project from = m_document.committed();
@@ -124,13 +98,17 @@ void Workbench::run() {
     m_control = std::make_shared<RunControl>();
     m_progress.clear();
     m_frame.reset();
+    m_runFrom = from;
+    m_posted = liveSettings(from);
+    m_toldOfLate = false;
     m_frameTimer.start();
     const auto work = [=, this, stream = m_stream, control = m_control](const Task& task) {
-        DesignRequest request = requestFor(from);
+        DesignRequest request = designRequest(from);
         request.keepUnfinished = true;
         request.finishNow = [control] { return control->takeFinish(); };
+        request.newest = [control] { return control->takeNewest(); };
         const Result<DesignResult> result = design(request, task, [&](const DesignFrame& frame) {
-            stream->put(frame, request.draftDegrees);
+            stream->put(frame);
             control->waitWhileResting(task);
         });
         return Background::Finish([=, this] { takeResult(result, from); });
@@ -167,6 +145,8 @@ void Workbench::pullFrames() {
     if (!newest)
         return;
     m_frame = std::move(newest);
+    placePins();
+    makePicker();
     Q_EMIT changed();
 }
 

@@ -15,7 +15,7 @@ namespace moldwright {
 
 void Workbench::addPin(const Eigen::Vector3d& place) {
     std::vector<Pin> pins = m_document.committed().pins;
-    pins.push_back({place});
+    pins.push_back({inPart(place)});
     setPins(std::move(pins), tr("Pin a point"));
 }
 

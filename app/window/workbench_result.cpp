@@ -2,6 +2,7 @@
 // What becomes of a run: the cast, what stood in its way, and what to do next.
 #include "window/workbench.h"
 
+#include "project/design_request.h"
 #include "project/edits.h"
 #include "window/obstruction_words.h"
 #include "window/sentence.h"
@@ -53,17 +54,35 @@ void Workbench::takeResult(const Result<DesignResult>& result, const Project& fr
 }
 
 void Workbench::takeCast(const DesignResult& result, const Project& from) {
-    // Plane and draft may have been changed meanwhile: the result belongs to what the run began with.
-    Project after = withCast(from, result, from.design.draftDegrees);
+    const Project& now = m_document.committed();
     const bool unfinished = result.cutShort && !result.castable;
-    after.planeChosenByHand = from.planeChosenByHand || unfinished; // the next run need not search again
-    m_document.edit(unfinished ? tr("Deform, stopped") : tr("Deform"), after);
+    if (sameButLive(from, now) && liveSettings(now) == result.settings) {
+        Project after = withCast(now, result, result.settings.draftDegrees);
+        after.planeChosenByHand = now.planeChosenByHand || unfinished; // the next run need not search again
+        m_document.edit(unfinished ? tr("Deform, stopped") : tr("Deform"), after);
+    } else {
+        takeLateCast(result, from);
+        return;
+    }
     if (result.castable)
         tellOfCast(result);
     else if (unfinished)
         tellOfStop(result);
     else
         say(Standing::Failing, tr("Not castable yet: %1").arg(sentence(result.certificate.reason)));
+}
+
+/// The cast belongs to what the run took up; what was changed too late for it comes after, as a step of its
+/// own, so that nothing is lost.
+void Workbench::takeLateCast(const DesignResult& result, const Project& from) {
+    const Project now = m_document.committed();
+    m_document.edit(tr("Deform"),
+                    withCast(withLiveSettings(from, result.settings), result, result.settings.draftDegrees));
+    m_document.edit(tr("Changed during the run"), now);
+    const QString headline = tr("The run has ended without the last changes.");
+    const QString text = tr("Run bends the part with them; Undo brings back the cast without them.");
+    say(Standing::Warning, headline + u' ' + text);
+    Q_EMIT advised({Standing::Warning, headline, text, QStringLiteral("run")});
 }
 
 void Workbench::tellOfCast(const DesignResult& result) {
@@ -101,7 +120,8 @@ void Workbench::tellOfStop(const DesignResult& result) {
 
 void Workbench::takeObstructions(const DesignResult& result, const Project& from) {
     // They are those of this plane: it is shown with them.
-    m_document.edit(tr("Plane of the run"), withState(from, result.state, from.planeChosenByHand));
+    const Project& now = m_document.committed();
+    m_document.edit(tr("Plane of the run"), withState(now, result.state, now.planeChosenByHand));
     m_obstructions = result.obstructions;
     m_obstructedPart = from.part;
     m_obstructedState = result.state;

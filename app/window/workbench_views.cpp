@@ -35,7 +35,9 @@ ShownSurface Workbench::surface(ViewContent content) const {
         surface.analysis = shownAnalysis();
         if (!surface.coarse && m_answer)
             surface.standInAnalysis = &m_answer->standInAnalysis;
-        if (m_answer)
+        if (m_frame)
+            surface.picker = m_frame->picker;
+        else if (m_answer)
             surface.picker = m_answer->picker;
         return surface;
     }

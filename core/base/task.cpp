@@ -5,10 +5,14 @@
 
 namespace moldwright {
 
-bool Task::stopped() const {
-    if (m_state->cancelled)
+bool Task::State::stopped() const {
+    if (cancelled || (whole && whole->stopped()))
         return true;
-    return m_state->deadline && std::chrono::steady_clock::now() >= *m_state->deadline;
+    return deadline && std::chrono::steady_clock::now() >= *deadline;
+}
+
+bool Task::stopped() const {
+    return m_state->stopped();
 }
 
 void Task::progress(double fraction, const std::string& stage) const {
@@ -21,6 +25,14 @@ Task Task::part(double from, double to) const {
     narrowed.m_from = m_from + (m_to - m_from) * from;
     narrowed.m_to = m_from + (m_to - m_from) * to;
     return narrowed;
+}
+
+Task Task::leg() const {
+    Task own = *this;
+    own.m_state = std::make_shared<State>();
+    own.m_state->report = m_state->report;
+    own.m_state->whole = m_state;
+    return own;
 }
 
 } // namespace moldwright

@@ -34,11 +34,16 @@ public:
     /// The sub-range [from, to] of this task's range, as a task of its own.
     [[nodiscard]] Task part(double from, double to) const;
 
+    /// A task over the same range that can be cancelled without this one; it is stopped when this one is.
+    [[nodiscard]] Task leg() const;
+
 private:
     struct State {
         Report report;
         std::atomic<bool> cancelled = false;
         std::optional<std::chrono::steady_clock::time_point> deadline;
+        std::shared_ptr<const State> whole; ///< of a leg
+        [[nodiscard]] bool stopped() const;
     };
     std::shared_ptr<State> m_state;
     double m_from = 0;

@@ -49,6 +49,9 @@ public:
     [[nodiscard]] double value(const StageWeights& weights, const std::vector<double>& faceWeights,
                                const Positions& X, Positions& gradient) const;
 
+    /// Other removal directions, from the next minimisation on.
+    void setDirections(const Directions& directions) { m_body.directions = directions; }
+
     [[nodiscard]] const LabelledBody& body() const { return m_body; }
     [[nodiscard]] const CurveBarrier& barrier() const { return m_barrier; }
     [[nodiscard]] int iterations() const { return m_iterations; }

@@ -37,6 +37,8 @@ public:
     /// Changes what is held or how important things are, from the next iteration on.
     void setHeld(std::vector<char> held);
     void setTetWeights(std::vector<double> weights);
+    /// γ of Eq. (6).
+    void setSmoothing(double smoothing) { m_smoothing = smoothing; }
 
 private:
     /// A lane with a surface face whose draft it must have.

@@ -13,6 +13,7 @@
 #include "exchange/tetrahedralize.h"
 #include "mesh/measures.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -58,17 +59,67 @@ void takeCast(DesignResult& result, const PartedPart& part, const BentShape& ben
 }
 
 ShapeGoal goalOf(const Attempt& attempt, const DesignRun& run) {
-    return {run.request().draftDegrees, run.request().faceWeights, run.request().finishNow,
-            attempt.means != Means::QuickProxy};
+    return {run.request().draftDegrees, attempt.state.directions, run.request().faceWeights,
+            run.request().finishNow, attempt.means != Means::QuickProxy};
+}
+
+/// Whether the points of the part lead, in their order, those of the parted part.
+bool keepsPoints(const PartedPart& part) {
+    return std::ranges::none_of(part.surface.sourceFace, [](int f) { return f < 0; });
 }
 
 ShapeWatch frameWatch(const PartedPart& part, DesignRun& run) {
     // Without anyone to see them, frames would be copied for nothing.
-    if (!run.watched())
+    if (!run.watched() && !run.live())
         return {};
     return [&](const char* stage, const LabelledSurface& surface) {
-        run.show(stage, part.frame.toPart(surface.mesh), surface.labels, part.state);
+        IndexedMesh shape = part.frame.toPart(surface.mesh);
+        const bool keeps = keepsPoints(part);
+        if (keeps && shape.vertexCount() == part.surface.mesh.vertexCount())
+            run.setReached(shape, part.state);
+        run.show({stage, std::move(shape), surface.labels, part.state,
+                  keeps ? std::make_shared<const Points>(part.before.V(surface.sourceVertex, Eigen::all))
+                        : nullptr});
     };
+}
+
+/// The same for a stage that takes no change: one ends it.
+ShapeWatch hearingWatch(const PartedPart& part, DesignRun& run) {
+    return [&run, show = frameWatch(part, run)](const char* stage, const LabelledSurface& surface) {
+        if (show)
+            show(stage, surface);
+        (void)run.hear(false);
+    };
+}
+
+using BendOnce = std::function<BentShape(const ShapeGoal&, const BentShape* from)>;
+
+/// Bends, and goes on from where it is whenever something is changed that bending takes as it goes. The
+/// directions that it ends with are those of `part` and `attempt`.
+BentShape bendHearing(PartedPart& part, Attempt& attempt, DesignRun& run, const BendOnce& bendOnce) {
+    const auto directionsOf = [&](const LabelledSurface& surface) {
+        attempt.state.directions = run.directionsFor(part.frame.toPart(surface.mesh), attempt.state.plane);
+        part.state.directions = attempt.state.directions;
+        return attempt.state.directions;
+    };
+    std::optional<BentShape> bent;
+    for (bool again = true; again;) {
+        again = false;
+        const LiveSettings old = run.request();
+        ShapeGoal goal = goalOf(attempt, run);
+        goal.enough = [&] {
+            again = run.hear(true);
+            return again || run.stopped() || (run.request().finishNow && run.request().finishNow());
+        };
+        if (old.followDirections && old.directionsChoice == DirectionsChoice::Automatic)
+            goal.follow = directionsOf;
+        bent = bendOnce(goal, bent ? &*bent : nullptr);
+        const LiveSettings& now = run.request();
+        if (again && (now.directionsChoice != old.directionsChoice || now.directions != old.directions ||
+                      now.limits != old.limits))
+            directionsOf(bent->surface);
+    }
+    return *bent;
 }
 
 /// Finishes a bent shape, rounds and proves it; again with a coarser clean-up where floats lose the draft.
@@ -83,10 +134,10 @@ Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& ben
         BentShape finished = bent;
         const bool reached = [&] {
             const Stopwatch watch(run.seconds(), "postprocess");
-            return finish(finished, part, goal, resolution, task, frameWatch(part, run));
+            return finish(finished, part, goal, resolution, task, hearingWatch(part, run));
         }();
         result.cutShort = run.stopped();
-        if (result.cutShort && !request.keepUnfinished)
+        if (run.next() || (result.cutShort && !request.keepUnfinished))
             return DesignRun::cancelled();
         takeCast(result, part, finished, run);
         if (result.castable || !reached || result.cutShort)
@@ -163,19 +214,36 @@ Result<PartedSolid> tetrahedralized(const Attempt& attempt, const PartedPart& pa
 }
 
 /// Bends the part's own tetrahedra.
-Result<DesignResult> bendWhole(const Attempt& attempt, const PartedPart& part, const Task& task,
-                               DesignRun& run) {
-    const ShapeGoal goal = goalOf(attempt, run);
-    const Result<PartedSolid> solid = tetrahedralized(attempt, part, task, run);
+Result<DesignResult> bendWhole(Attempt& attempt, const PartedPart& part, const Task& task, DesignRun& run) {
+    Result<PartedSolid> solid = tetrahedralized(attempt, part, task, run);
     if (!solid)
         return std::unexpected(solid.error());
     const BentShape bent = [&] {
         const Stopwatch watch(run.seconds(), "elastoplastic");
-        return bend(*solid, goal, task.part(0, 0.8), frameWatch(*solid, run));
+        return bendHearing(*solid, attempt, run, [&](const ShapeGoal& goal, const BentShape* from) {
+            return bend(*solid, goal, task.part(0, 0.8), frameWatch(*solid, run), from);
+        });
     }();
-    Result<DesignResult> result = finishAndProve(*solid, bent, goal, task.part(0.8, 1), run);
+    Result<DesignResult> result = finishAndProve(*solid, bent, goalOf(attempt, run), task.part(0.8, 1), run);
     if (result)
         result->tets = static_cast<int>(solid->tets.T.rows());
+    return result;
+}
+
+/// Bends a stand-in, and the part's surface follows.
+Result<DesignResult> bendStandIn(const Proxy& proxy, Attempt& attempt, const Task& task, DesignRun& run) {
+    PartedPart part = *attempt.parted;
+    const BentShape bent = [&] {
+        const Stopwatch watch(run.seconds(), "elastoplastic");
+        return bendHearing(part, attempt, run, [&](const ShapeGoal& goal, const BentShape* from) {
+            return bendByProxy(part, proxy, goal, task.part(0, 0.6), frameWatch(part, run), from);
+        });
+    }();
+    Result<DesignResult> result = finishAndProve(part, bent, goalOf(attempt, run), task.part(0.6, 1), run);
+    if (result) {
+        result->tets = static_cast<int>(proxy.solid.tets.T.rows());
+        result->bentByProxy = true;
+    }
     return result;
 }
 
@@ -195,6 +263,11 @@ Result<DesignResult> tryAttempt(Attempt& attempt, const Task& task, DesignRun& r
             return std::unexpected(made.error());
         attempt.parted = std::make_shared<const PartedPart>(std::move(*made));
     }
+    if (attempt.parted->state != attempt.state) {
+        PartedPart turned = *attempt.parted; // by means during which the directions were changed
+        turned.state = attempt.state;
+        attempt.parted = std::make_shared<const PartedPart>(std::move(turned));
+    }
     const std::shared_ptr<const PartedPart> part = attempt.parted;
     if (passesAlready(*part, goal.draftDegrees))
         return finishAndProve(*part, {surfaceAt(*part, part->surface.mesh.V), 0, false, part->pins}, goal,
@@ -206,18 +279,7 @@ Result<DesignResult> tryAttempt(Attempt& attempt, const Task& task, DesignRun& r
         return proxyOf(*part, attempt.means == Means::FineProxy ? ProxyDetail::Fine : ProxyDetail::Quick,
                        goal.faceWeights, task);
     }();
-    if (!proxy)
-        return bendWhole(attempt, *part, task, run);
-    const BentShape bent = [&] {
-        const Stopwatch watch(run.seconds(), "elastoplastic");
-        return bendByProxy(*part, *proxy, goal, task.part(0, 0.6), frameWatch(*part, run));
-    }();
-    Result<DesignResult> result = finishAndProve(*part, bent, goal, task.part(0.6, 1), run);
-    if (result) {
-        result->tets = static_cast<int>(proxy->solid.tets.T.rows());
-        result->bentByProxy = true;
-    }
-    return result;
+    return proxy ? bendStandIn(*proxy, attempt, task, run) : bendWhole(attempt, *part, task, run);
 }
 
 } // namespace moldwright

@@ -52,7 +52,7 @@ LabelledBody bodyOf(const PartedSolid& solid, const ShapeGoal& goal) {
     body.shape.membrane = kMembrane * meanEdge(solid.surface.mesh);
     body.shape.volumeStiffness = kVolume;
     body.labels = solid.surface.labels;
-    body.directions = solid.frame.directionsToWork(solid.state.directions);
+    body.directions = solid.frame.directionsToWork(goal.directions);
     body.held.assign(static_cast<std::size_t>(solid.tets.V.rows()), 0);
     for (int v = 0; v < solid.surface.mesh.vertexCount(); ++v)
         body.held[static_cast<std::size_t>(v)] = solid.surface.mesh.V(v, 2) == 0;
@@ -120,30 +120,36 @@ bool passesAlready(const PartedPart& part, double draftDegrees) {
     return sideDraft(surface.mesh.F, surface.labels, directions, surface.mesh.V, enough).violating == 0;
 }
 
-BentShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task, const ShapeWatch& watch) {
+BentShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task, const ShapeWatch& watch,
+               const BentShape* from) {
     LabelledProblem problem(bodyOf(solid, goal));
-    Positions X = solid.tets.V;
+    Positions X = from ? from->points : solid.tets.V;
     const std::vector<double> areas = restAreas(solid.surface.mesh);
     StageWeights weights;
-    weights.hinge = kFirstHinge;
     weights.tau = std::sin(radians(goal.draftDegrees + kAimHigher));
     weights.iterations = kIterations;
-    bool enough = false;
-    for (int round = 0; round < kRounds && !enough && !task.stopped();
-         ++round, weights.hinge *= kHingeGrowth) {
+    const int first = from ? from->round : 0;
+    int round = first;
+    for (bool enough = false; round < kRounds && !enough && !task.stopped(); ++round) {
+        weights.hinge = kFirstHinge * std::pow(kHingeGrowth, round);
         weights.barrier = kBarrierShare * weights.hinge;
         const bool roughly = !goal.thorough && round + 1 < kRounds;
         weights.relativeDecrease = roughly ? kRoughly : StageWeights{}.relativeDecrease;
+        if (goal.follow && round > first)
+            problem.setDirections(solid.frame.directionsToWork(goal.follow(surfaceOf(solid, X))));
         int step = 0;
         X = problem.minimize(weights, areas, std::move(X), [&](const Positions& Y) {
             task.progress((round + static_cast<double>(++step) / kIterations) / kRounds, "deformation");
             if (watch)
                 watch("deformation", surfaceOf(solid, Y));
-            enough = task.stopped() || (goal.finishNow && goal.finishNow());
+            enough = task.stopped() || (goal.enough && goal.enough());
             return !enough;
         });
+        if (enough)
+            break; // gone on with, it repeats this round
     }
-    return {surfaceOf(solid, X), problem.iterations(), false, pinsAt(solid, X)};
+    const int iterations = problem.iterations() + (from ? from->iterations : 0);
+    return {surfaceOf(solid, X), iterations, false, pinsAt(solid, X), X, round};
 }
 
 bool finish(BentShape& bent, const PartedPart& part, const ShapeGoal& goal, double resolution,

@@ -13,9 +13,13 @@ namespace moldwright {
 /// What the deformation of a parted part is to respect.
 struct ShapeGoal {
     double draftDegrees = 1;
-    std::vector<double> faceWeights; ///< importance per face of the part; empty: all 1
-    std::function<bool()> finishNow; ///< as in DesignRequest
-    bool thorough = false;           ///< every round to its end: slower, and limbs keep a little more
+    Directions directions;             ///< part frame
+    std::vector<double> faceWeights;   ///< importance per face of the part; empty: all 1
+    std::function<bool()> enough = {}; ///< asked after every step; true ends the bending; may be empty
+    bool thorough = false;             ///< every round to its end: slower, and limbs keep a little more
+    /// Directions (part frame) for a bent surface (working frame), asked before every round but the first;
+    /// empty: they stay.
+    std::function<Directions(const LabelledSurface&)> follow = {};
 };
 
 /// Sees the surface (working frame) as it changes; the string names the stage.
@@ -27,6 +31,8 @@ struct BentShape {
     int iterations = 0;
     bool followed = false;         ///< its surface followed a stand-in's
     std::vector<PlacedPin> pins{}; ///< where those inside have come to; surfacePoint: of the part
+    Points points{}; ///< of all that was bent, tetrahedra and stand-in included, and in which round of its
+    int round = 0;   ///< bending: to go on from
 };
 
 /// The surface of a part with its parting line inserted, its points at X (n×3, working frame).
@@ -44,9 +50,10 @@ struct BentShape {
 
 /// Bends a parted solid until its faces nearly have their draft: one elastic minimisation with a growing
 /// castability term, so that the shape stays related to the original throughout. See ARCHITECTURE.md, "From
-/// part to cast". Cancelled tasks end early with what was reached.
+/// part to cast". Cancelled tasks end early with what was reached. `from`: what an earlier bending of the
+/// same solid, for another goal, is to be gone on with; null: at rest.
 [[nodiscard]] BentShape bend(const PartedSolid& solid, const ShapeGoal& goal, const Task& task,
-                             const ShapeWatch& watch);
+                             const ShapeWatch& watch, const BentShape* from = nullptr);
 
 /// The labelled finish: brings a bent surface to its draft. `resolution`: rounding step of the coordinates to
 /// be written, mm; faces that it could spoil are cleaned away. Returns whether every face has its draft.

@@ -265,7 +265,8 @@ Result<PinnedShape> pinned(const MoldState& state, DesignRun& run) {
     const Stopwatch watch(run.seconds(), "elastoplastic");
     solver->drawPins(run.task());
     const auto shape = std::make_shared<const IndexedMesh>(solver->shape());
-    run.show("pins", *shape, {}, solver->state());
+    showStep("pins", *solver, run);
+    (void)run.hear(false);
     if (run.stopped())
         return DesignRun::cancelled();
     if (const auto crossing = selfIntersections(*shape); !crossing.empty())
@@ -306,12 +307,11 @@ Result<DesignResult> bendAtPlaneForPins(DesignRun& run) {
     std::optional<DesignResult> best;
     std::optional<Error> lastError;
     for (const PartingPlane& plane : planesForPins(run, kPlanesForPins)) {
-        DesignRequest request = run.request();
-        request.plane = plane;
-        DesignRun there(request, run.task(), run.frames());
+        DesignRun there = run.at(plane);
         Result<DesignResult> result = designByBending(there);
         for (const auto& [stage, seconds] : there.seconds())
             run.seconds()[stage] += seconds;
+        run.takeSettings(there);
         if (!result)
             lastError = result.error();
         else if (!best || better(*result, *best))
@@ -329,11 +329,11 @@ Result<DesignResult> bendAtPlaneForPins(DesignRun& run) {
 Result<DesignResult> designByBending(DesignRun& run) {
     const DesignRequest& request = run.request();
     if (request.pins.empty())
-        return bendPart({request.part, {}}, run);
+        return bendPart({run.start(), {}}, run);
     if (!request.plane)
         return bendAtPlaneForPins(run);
     const Result<PinnedShape> drawn =
-        pinned({*request.plane, run.directionsFor(*request.part, *request.plane)}, run);
+        pinned({*request.plane, run.directionsFor(*run.start(), *request.plane)}, run);
     return drawn ? bendPart(*drawn, run) : std::unexpected(drawn.error());
 }
 

@@ -44,18 +44,29 @@ struct UndercutChoice {
     bool operator==(const UndercutChoice&) const = default;
 };
 
-/// What Algorithm 1 is asked to do.
-struct DesignRequest {
-    SharedMesh part;                   ///< closed, usable (see prepare()), mm
-    std::optional<PartingPlane> plane; ///< none: the best plane that passes the topological certificate
+/// What the designer may change while the deformation runs. [Stein 2019], Section 6.3.
+struct LiveSettings {
+    std::optional<PartingPlane> plane; ///< none: the best plane that passes the topological certificate; in a
+                                       ///< run that has one already: that
     DirectionsChoice directionsChoice = DirectionsChoice::Automatic;
-    Directions directions; ///< used when Given
+    Directions directions;         ///< used when Given
+    bool followDirections = false; ///< Automatic directions are sought anew as the shape bends (the published
+                                   ///< method always does that)
     double draftDegrees = 1;
     DirectionLimits limits; ///< where directions that are not Given may point
-    DeformationMethod method = DeformationMethod::Default;
+    double smoothing = 0.1; ///< γ of [Stein 2019], Eq. (6); of the published method
     std::vector<Pin> pins;
-    std::vector<double> faceWeights;       ///< importance per face of `part`, 1 = plain; empty: all plain
-    std::vector<KeptRegion> regions;       ///< of `part`: measured in the result
+    std::vector<double> faceWeights; ///< importance per face of the part, 1 = plain; empty: all plain
+    std::vector<KeptRegion> regions; ///< of the part: measured in the result
+    bool operator==(const LiveSettings&) const = default;
+};
+
+/// What Algorithm 1 is asked to do.
+struct DesignRequest : LiveSettings {
+    SharedMesh part; ///< closed, usable (see prepare()), mm
+    /// The part's points where bending is to begin, bent already; none: as they are. It needs a plane.
+    std::shared_ptr<const Points> start;
+    DeformationMethod method = DeformationMethod::Default;
     std::vector<Eigen::Vector3d> limbTips; ///< where limb measures are wanted; empty: found automatically
     FillChoice fill = FillChoice::None;
     std::vector<UndercutChoice> undercuts; ///< treated as chosen; they need a plane
@@ -66,6 +77,11 @@ struct DesignRequest {
     /// Asked after every step: true ends the bending there and goes on to the finish; may be empty. Called
     /// from the thread of design().
     std::function<bool()> finishNow;
+    /// Asked after every step: what is to hold from now on; none when nothing was changed. The run goes on
+    /// from its present shape: at once where draft, directions or weights were changed while the part is
+    /// bent; parted anew where it was the plane, the pins, or anything while the bent part is finished or
+    /// filled. May be empty. Called from the thread of design().
+    std::function<std::optional<LiveSettings>()> newest;
 };
 
 /// One picture of a running deformation: enough to draw it.
@@ -74,10 +90,15 @@ struct DesignFrame {
     SharedMesh shape;  ///< mm, part frame
     SideLabels labels; ///< side of each face of shape; empty while the part is not split
     MoldState state;
+    /// n×3: where each point of shape was before it was bent, in the part; null where filling made points.
+    std::shared_ptr<const Points> before;
+    /// The part's own points as they are now, a start for another run; null where filling changed the part.
+    std::shared_ptr<const Points> partPoints;
     int step = 0;
     double energy = 0; ///< castability energy, scale-free (diagonal 1)
     double worstDraftDegrees = 0;
     double violatingAreaFraction = 0;
+    LiveSettings settings; ///< what the run has heard of last
 };
 using FrameSink = std::function<void(const DesignFrame&)>;
 
@@ -130,6 +151,7 @@ struct DesignResult {
     Points before;     ///< n×3, mm, part frame: where each point of cast was before it was bent, in the part,
                        ///< filled where it was filled
     MoldState state;
+    LiveSettings settings; ///< what it was made with: the request's, or what they were changed to
     bool castable = false; ///< exactly: certificate.holds()
     bool cutShort = false; ///< stopped before its end: what was reached until then
     Certificate certificate;

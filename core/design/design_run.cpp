@@ -8,6 +8,48 @@
 
 namespace moldwright {
 
+DesignRun::DesignRun(const DesignRequest& request, const Task& task, const FrameSink& frames,
+                     SharedMesh start, int steps)
+    : m_request(request), m_start(start ? std::move(start) : request.part), m_frames(frames),
+      m_leg(std::make_shared<Leg>(Leg{task.leg(), request, {}, {}, {}, steps})) {}
+
+DesignRun DesignRun::at(const PartingPlane& plane) const {
+    DesignRun there = *this;
+    there.m_seconds.clear();
+    there.m_request.plane = plane;
+    return there;
+}
+
+void DesignRun::takeSettings(const DesignRun& other) {
+    const std::optional<PartingPlane> plane = m_request.plane;
+    static_cast<LiveSettings&>(m_request) = other.request();
+    m_request.plane = plane;
+}
+
+bool DesignRun::hear(bool inPlace) {
+    if (!live() || m_leg->next)
+        return false;
+    const std::optional<LiveSettings> newest = m_request.newest();
+    if (!newest || *newest == m_leg->heard)
+        return false;
+    m_leg->heard = *newest;
+    const bool samePlane = !newest->plane || newest->plane == m_request.plane;
+    if (inPlace && samePlane && newest->pins == m_request.pins) {
+        const std::optional<PartingPlane> plane = m_request.plane;
+        static_cast<LiveSettings&>(m_request) = *newest;
+        m_request.plane = plane;
+        return true;
+    }
+    m_leg->next = newest;
+    m_leg->task.cancel();
+    return false;
+}
+
+void DesignRun::setReached(const IndexedMesh& shape, const MoldState& state) {
+    m_leg->reached = std::make_shared<const Points>(shape.V.topRows(m_start->vertexCount()));
+    m_leg->reachedState = state;
+}
+
 Directions DesignRun::directionsFor(const IndexedMesh& shape, const PartingPlane& plane) {
     const Stopwatch watch(m_seconds, "directions_first");
     switch (m_request.directionsChoice) {
@@ -30,13 +72,15 @@ PlaneSearch DesignRun::planeSearch(int count) const {
     return search;
 }
 
-void DesignRun::show(const char* stage, IndexedMesh shape, const SideLabels& labels, const MoldState& state) {
+void DesignRun::show(SeenStep step) {
     if (!m_frames)
         return;
+    const auto& [stage, shape, labels, state, before] = step;
     const DraftAnalysis analysis = labels.empty() ? analyzeDraft(shape, state, m_request.draftDegrees, false)
                                                   : analyzeCast(shape, labels, state, m_request.draftDegrees);
-    m_frames({stage, std::make_shared<const IndexedMesh>(std::move(shape)), labels, state, ++m_step,
-              analysis.energy, analysis.worstDraftDegrees, analysis.violatingAreaFraction});
+    m_frames({stage, std::make_shared<const IndexedMesh>(std::move(step.shape)), labels, state, before,
+              m_leg->reached, ++m_leg->steps, analysis.energy, analysis.worstDraftDegrees,
+              analysis.violatingAreaFraction, m_leg->heard});
 }
 
 std::unexpected<Error> DesignRun::cancelled() {

@@ -6,19 +6,56 @@
 #include "design/design.h"
 
 #include <expected>
+#include <memory>
 #include <string>
 
 namespace moldwright {
 
-/// What the stages of one design share: what is asked, who watches, and what is known so far.
+/// What can be seen of a step of a design.
+struct SeenStep {
+    const char* stage;                         ///< English name
+    IndexedMesh shape;                         ///< part frame
+    SideLabels labels;                         ///< of its faces; empty while it is not split
+    MoldState state;                           ///< part frame
+    std::shared_ptr<const Points> before = {}; ///< as in DesignFrame
+};
+
+/// What the stages of one design share: what is asked, who watches, and what is known so far. A design is one
+/// leg, or several: where the designer changes what bending cannot take as it goes, the leg ends, and the
+/// next begins from the shape that was reached.
 class DesignRun {
 public:
-    DesignRun(const DesignRequest& request, const Task& task, const FrameSink& frames)
-        : m_request(request), m_task(task), m_frames(frames) {}
+    /// `start`: the part with its points where bending begins; null: the part as it is. `steps` were seen
+    /// before.
+    DesignRun(const DesignRequest& request, const Task& task, const FrameSink& frames, SharedMesh start = {},
+              int steps = 0);
 
+    /// The request; its live settings as they were heard last.
     [[nodiscard]] const DesignRequest& request() const { return m_request; }
-    [[nodiscard]] const Task& task() const { return m_task; }
-    [[nodiscard]] bool stopped() const { return m_task.stopped(); }
+    /// Stopped too when the leg is over.
+    [[nodiscard]] const Task& task() const { return m_leg->task; }
+    [[nodiscard]] bool stopped() const { return task().stopped(); }
+    /// The part as bending finds it: its own faces, its points maybe bent.
+    [[nodiscard]] const SharedMesh& start() const { return m_start; }
+
+    /// The same leg at another plane.
+    [[nodiscard]] DesignRun at(const PartingPlane& plane) const;
+    /// Goes on with what a run at() another plane has heard.
+    void takeSettings(const DesignRun& other);
+
+    /// Asks what the designer has changed; to be called after every step. True: request() holds something new
+    /// that bending can take as it goes. Any other change, and every one unless `inPlace`, ends the leg.
+    [[nodiscard]] bool hear(bool inPlace);
+    /// Whether anybody may change anything.
+    [[nodiscard]] bool live() const { return static_cast<bool>(m_request.newest); }
+    /// What the next leg is to hold; none while this one is not over.
+    [[nodiscard]] const std::optional<LiveSettings>& next() const { return m_leg->next; }
+    /// What was heard last.
+    [[nodiscard]] const LiveSettings& heard() const { return m_leg->heard; }
+    /// The part's own points as bent last, and at which state; null and none before the first bending.
+    [[nodiscard]] const std::shared_ptr<const Points>& reached() const { return m_leg->reached; }
+    [[nodiscard]] const std::optional<MoldState>& reachedState() const { return m_leg->reachedState; }
+    void setReached(const IndexedMesh& shape, const MoldState& state);
 
     /// The seconds spent so far, by stage.
     [[nodiscard]] std::map<std::string, double>& seconds() { return m_seconds; }
@@ -29,19 +66,29 @@ public:
     /// The search for the `count` best planes, as the request limits draft, tilt and directions.
     [[nodiscard]] PlaneSearch planeSearch(int count) const;
 
-    [[nodiscard]] const FrameSink& frames() const { return m_frames; }
     [[nodiscard]] bool watched() const { return static_cast<bool>(m_frames); }
-    /// Shows a shape (part frame) to whoever watches; `labels` empty while it is not split.
-    void show(const char* stage, IndexedMesh shape, const SideLabels& labels, const MoldState& state);
+    /// Shows a step to whoever watches.
+    void show(SeenStep step);
+    [[nodiscard]] int steps() const { return m_leg->steps; }
 
     [[nodiscard]] static std::unexpected<Error> cancelled();
 
 private:
-    const DesignRequest& m_request;
-    Task m_task;
+    /// What runs at() several planes share.
+    struct Leg {
+        Task task;
+        LiveSettings heard;
+        std::optional<LiveSettings> next;
+        std::shared_ptr<const Points> reached;
+        std::optional<MoldState> reachedState;
+        int steps = 0;
+    };
+
+    DesignRequest m_request;
+    SharedMesh m_start;
     const FrameSink& m_frames;
+    std::shared_ptr<Leg> m_leg;
     std::map<std::string, double> m_seconds;
-    int m_step = 0;
 };
 
 } // namespace moldwright

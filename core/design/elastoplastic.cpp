@@ -95,8 +95,15 @@ std::vector<PlacedPin> Elastoplastic::pins() const {
     return pins;
 }
 
+void Elastoplastic::change(const ElastoplasticSettings& settings, const Directions& directions) {
+    m_settings = settings;
+    m_state.directions = directions;
+    m_solver.setSmoothing(settings.smoothing);
+}
+
 void Elastoplastic::setFaceWeights(const std::vector<double>& faceWeights) {
-    m_solver.setTetWeights(tetWeights(m_solver.shape().T, m_part->F, faceWeights));
+    m_solver.setTetWeights(faceWeights.empty() ? std::vector<double>()
+                                               : tetWeights(m_solver.shape().T, m_part->F, faceWeights));
 }
 
 /// Faces that cross the plane get no side: post-processing takes care of them.

@@ -41,7 +41,9 @@ public:
     [[nodiscard]] std::vector<PlacedPin> pins() const;
     /// Bends the part as a whole until the pins of setPins() lie in the plane, and takes that for its shape.
     void drawPins(const Task& task);
-    /// Importance per face of the part.
+    /// Other settings and directions, from the next step on.
+    void change(const ElastoplasticSettings& settings, const Directions& directions);
+    /// Importance per face of the part; empty: all 1.
     void setFaceWeights(const std::vector<double>& weights);
 
     /// One step of Algorithm 1, lines 50 and 60. `task` is asked before each iteration.

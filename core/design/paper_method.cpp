@@ -3,6 +3,7 @@
 
 #include "castability/analysis.h"
 #include "castability/plane_search.h"
+#include "design/carried_pins.h"
 #include "design/comparison.h"
 #include "design/stopwatch.h"
 
@@ -18,13 +19,22 @@ constexpr int kPlasticSteps = 40; ///< at most
 Result<MoldState> stateFor(DesignRun& run) {
     const DesignRequest& request = run.request();
     if (request.plane)
-        return MoldState{*request.plane, run.directionsFor(*request.part, *request.plane)};
+        return MoldState{*request.plane, run.directionsFor(*run.start(), *request.plane)};
     const Stopwatch watch(run.seconds(), "plane");
     const std::vector<PlaneCandidate> planes =
         findPlanes(*request.part, run.planeSearch(1), run.task().part(0, 0.1));
     if (planes.empty())
         return DesignRun::cancelled();
     return planes.front().state;
+}
+
+ElastoplasticSettings settingsOf(const LiveSettings& live) {
+    ElastoplasticSettings settings;
+    settings.smoothing = live.smoothing;
+    settings.draftDegrees = live.draftDegrees;
+    settings.limits = live.limits;
+    settings.optimizeDirections = live.directionsChoice == DirectionsChoice::Automatic;
+    return settings;
 }
 
 /// Runs until the violating area stalls: it falls by less than a thousandth of itself in five steps.
@@ -41,7 +51,12 @@ void plasticSteps(Elastoplastic& solver, DesignRun& run) {
         run.task().progress(0.1 + 0.8 * step / kPlasticSteps, "deformation");
         const DraftAnalysis analysis =
             analyzeDraft(solver.shape(), solver.state(), request.draftDegrees, false);
-        run.show("deformation", solver.shape(), {}, solver.state());
+        showStep("deformation", solver, run);
+        if (hearChanges(solver, run)) {
+            history.clear();
+            step = 0;
+            continue;
+        }
         history.push_back(analysis.energy);
         const bool enough = request.finishNow && request.finishNow();
         if (enough || analysis.castable() ||
@@ -90,19 +105,32 @@ DesignResult judged(const Elastoplastic& solver, DesignRun& run) {
 
 Result<Elastoplastic> elastoplasticAt(const MoldState& state, DesignRun& run) {
     const DesignRequest& request = run.request();
-    ElastoplasticSettings settings;
-    settings.draftDegrees = request.draftDegrees;
-    settings.limits = request.limits;
-    settings.optimizeDirections = request.directionsChoice == DirectionsChoice::Automatic;
+    const std::vector<Pin> pins = carriedPins(request.pins, *request.part, *run.start());
     const Stopwatch watch(run.seconds(), "tetrahedralize");
     Result<Elastoplastic> solver =
-        Elastoplastic::create(request.part, state, settings, run.task(), request.pins);
+        Elastoplastic::create(run.start(), state, settingsOf(request), run.task(), pins);
     if (!solver)
         return solver;
-    solver->setPins(request.pins);
+    solver->setPins(pins);
     if (!request.faceWeights.empty())
         solver->setFaceWeights(request.faceWeights);
     return solver;
+}
+
+bool hearChanges(Elastoplastic& solver, DesignRun& run) {
+    if (!run.hear(true))
+        return false;
+    const LiveSettings& now = run.request();
+    solver.change(settingsOf(now), run.directionsFor(solver.shape(), solver.state().plane));
+    solver.setFaceWeights(now.faceWeights);
+    return true;
+}
+
+void showStep(const char* stage, const Elastoplastic& solver, DesignRun& run) {
+    IndexedMesh shape = solver.shape();
+    run.setReached(shape, solver.state());
+    run.show(
+        {stage, std::move(shape), {}, solver.state(), std::make_shared<const Points>(run.request().part->V)});
 }
 
 Result<DesignResult> designAsPublished(DesignRun& run) {
@@ -113,7 +141,7 @@ Result<DesignResult> designAsPublished(DesignRun& run) {
     if (!solver)
         return std::unexpected(solver.error());
     plasticSteps(*solver, run);
-    if (run.stopped() && !run.request().keepUnfinished)
+    if (run.next() || (run.stopped() && !run.request().keepUnfinished))
         return DesignRun::cancelled();
     DesignResult result = judged(*solver, run);
     result.cutShort = run.stopped();

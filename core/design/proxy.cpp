@@ -134,7 +134,7 @@ std::optional<Proxy> proxyOf(const PartedPart& part, ProxyDetail detail,
 }
 
 BentShape bendByProxy(const PartedPart& part, const Proxy& proxy, const ShapeGoal& goal, const Task& task,
-                      const ShapeWatch& watch) {
+                      const ShapeWatch& watch, const BentShape* from) {
     const Points& rest = part.surface.mesh.V;
     const SurfaceBinding binding(proxy.solid.surface.mesh, rest, proxy.pointNow);
     const auto follow = [&](const Points& X) {
@@ -149,11 +149,16 @@ BentShape bendByProxy(const PartedPart& part, const Proxy& proxy, const ShapeGoa
         watchPart = [&](const char* stage, const LabelledSurface& now) {
             watch(stage, surfaceAt(part, follow(now.mesh.V)));
         };
-    const BentShape bent = bend(proxy.solid, coarse, task, watchPart);
+    const BentShape bent = bend(proxy.solid, coarse, task, watchPart, from);
     std::vector<PlacedPin> pins = bent.pins;
     for (std::size_t i = 0; i < pins.size(); ++i)
         pins[i].surfacePoint = part.pins[i].surfacePoint;
-    return {surfaceAt(part, follow(bent.surface.mesh.V)), bent.iterations, true, std::move(pins)};
+    return {surfaceAt(part, follow(bent.surface.mesh.V)),
+            bent.iterations,
+            true,
+            std::move(pins),
+            bent.points,
+            bent.round};
 }
 
 } // namespace moldwright

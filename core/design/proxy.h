@@ -25,8 +25,9 @@ enum class ProxyDetail { Quick, Fine };
                                            const std::vector<double>& faceWeights, const Task& task);
 
 /// Bends the stand-in, see bend(); the part's own surface follows. What takes time grows with the stand-in,
-/// not with the part.
+/// not with the part. `from`: as of bend().
 [[nodiscard]] BentShape bendByProxy(const PartedPart& part, const Proxy& proxy, const ShapeGoal& goal,
-                                    const Task& task, const ShapeWatch& watch);
+                                    const Task& task, const ShapeWatch& watch,
+                                    const BentShape* from = nullptr);
 
 } // namespace moldwright

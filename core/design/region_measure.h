@@ -13,6 +13,8 @@ struct KeptRegion {
     std::string name;
     std::vector<int> faces; ///< of the part
     double within = 0;      ///< mm that its points may move against each other; 0: not limited, only measured
+
+    bool operator==(const KeptRegion&) const = default;
 };
 
 /// How a region came through, wherever it went as a whole: after its own best rigid fit.

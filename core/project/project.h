@@ -36,6 +36,8 @@ struct DesignSettings {
     DeformationMethod method = DeformationMethod::Default;
     FillChoice fill = FillChoice::Auto;
     unsigned seed = 1;
+    double smoothing = 0.1;        ///< γ, see LiveSettings
+    bool followDirections = false; ///< see LiveSettings
 
     bool operator==(const DesignSettings&) const = default;
 };

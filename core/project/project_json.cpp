@@ -77,7 +77,9 @@ Json json(const DesignSettings& design) {
                    {"directions", nameOf(design.directionsChoice, directionsNames)},
                    {"method", nameOf(design.method, methodNames)},
                    {"fill", nameOf(design.fill, fillNames)},
-                   {"seed", design.seed}};
+                   {"seed", design.seed},
+                   {"smoothing", design.smoothing},
+                   {"follow_directions", design.followDirections}};
     if (design.limits.axis) {
         result["axis"] = json(*design.limits.axis);
         result["cone_deg"] = design.limits.coneDegrees;
@@ -93,6 +95,8 @@ DesignSettings designSettings(const Json& j) {
                           j.at("seed").get<unsigned>()};
     // Files written before filling existed do not name it.
     design.fill = j.contains("fill") ? valueOf<FillChoice>(j.at("fill"), fillNames) : FillChoice::Auto;
+    design.smoothing = j.value("smoothing", design.smoothing);
+    design.followDirections = j.value("follow_directions", design.followDirections);
     if (j.contains("axis")) {
         design.limits.axis = vector(j.at("axis"));
         design.limits.coneDegrees = j.at("cone_deg").get<double>();

@@ -40,7 +40,9 @@ Project someProject() {
                       DirectionsChoice::Given,
                       DeformationMethod::Paper,
                       FillChoice::None,
-                      7};
+                      7,
+                      0.25,
+                      true};
     project.pins = {{{0.1, 0.2, 0.3}}, {{-1, 2, 1e-17}}};
     project.undercuts = {{{1, -2, 0.25}, UndercutChoice::Treatment::Fill},
                          {{3, 4, 5}, UndercutChoice::Treatment::Bend}};

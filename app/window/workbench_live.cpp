@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What the designer changes while a design runs.
+#include "window/workbench.h"
+
+#include "design/carried_pins.h"
+#include "project/design_request.h"
+
+namespace moldwright {
+
+namespace {
+
+/// The part as a frame has it; null where filling changed it.
+std::shared_ptr<const IndexedMesh> partIn(const DesignFrame& frame, const SharedMesh& part) {
+    if (!frame.partPoints || frame.partPoints->rows() != part->V.rows())
+        return nullptr;
+    return std::make_shared<const IndexedMesh>(IndexedMesh{*frame.partPoints, part->F});
+}
+
+} // namespace
+
+Project Workbench::projectInView() const {
+    Project project = m_document.committed();
+    if (m_frame)
+        project.state = m_frame->frame.state;
+    return project;
+}
+
+void Workbench::postLive() {
+    if (!running())
+        return;
+    const Project& now = m_document.committed();
+    const LiveSettings live = liveSettings(now);
+    if (!(live == m_posted)) {
+        m_control->post(live);
+        m_posted = live;
+        placePins();
+    }
+    if (!sameButLive(m_runFrom, now) && !m_toldOfLate)
+        say(Standing::Warning, tr("A run cannot take this up while it goes on. The next run does."));
+    m_toldOfLate = !sameButLive(m_runFrom, now);
+}
+
+void Workbench::placePins() {
+    if (!m_frame)
+        return;
+    const Project& now = m_document.committed();
+    const auto bent = partIn(m_frame->frame, now.part);
+    m_frame->pins = bent ? carriedPins(now.pins, *now.part, *bent) : std::vector<Pin>();
+}
+
+const std::vector<Pin>& Workbench::pinsInView() const {
+    return m_frame ? m_frame->pins : project().pins;
+}
+
+void Workbench::setPicking(bool picking) {
+    m_picking = picking;
+    makePicker();
+}
+
+void Workbench::makePicker() {
+    if (m_picking && m_frame && !m_frame->picker && m_frame->frame.shape)
+        m_frame->picker = std::make_shared<const scene::SurfacePicker>(m_frame->frame.shape);
+}
+
+Eigen::Vector3d Workbench::inPart(const Eigen::Vector3d& inView) const {
+    const auto bent = m_frame ? partIn(m_frame->frame, project().part) : nullptr;
+    return bent ? carriedPins({{inView}}, *bent, *project().part).front().point : inView;
+}
+
+} // namespace moldwright

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// What is changed in the real window while the part bends.
+#include "app/window_driver.h"
+
+#include "mesh/measures.h"
+#include "panels/property_panel.h"
+#include "scene/scene.h"
+#include "view/part_view.h"
+#include "window/document.h"
+#include "window/main_window.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+using namespace moldwright;
+using test::WindowDriver;
+
+namespace {
+
+/// A sample at its best plane, bent a little and held.
+void bendAndHold(WindowDriver& driver, const char* sample) {
+    ASSERT_TRUE(driver.openSample(sample));
+    driver.press("Ctrl+B");
+    ASSERT_TRUE(driver.waitIdle());
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().progress().size() >= 4; }, 180000));
+    driver.press("Space");
+    ASSERT_TRUE(driver.bench().resting());
+    QTest::qWait(300); // a step under way ends
+}
+
+void drag(PartView& view, QPoint from, QPoint to) {
+    QTest::mousePress(&view, Qt::LeftButton, {}, from);
+    for (int step = 1; step <= 8; ++step) {
+        const QPoint at = from + (to - from) * step / 8;
+        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(&view, &move);
+        QTest::qWait(10);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+    QTest::qWait(50);
+}
+
+} // namespace
+
+TEST(LiveRun, TheDraftTypedWhileItBendsIsReachedAndUndoneWithOneKey) {
+    WindowDriver driver;
+    ASSERT_NO_FATAL_FAILURE(bendAndHold(driver, "bent_beam"));
+    const std::size_t steps = driver.bench().document().history().steps().size();
+    driver.selectRow("deform");
+    driver.type("field-draft", "3");
+    EXPECT_EQ(driver.bench().document().history().steps().size(), steps + 1);
+    driver.press("Ctrl+Z");
+    EXPECT_EQ(driver.bench().project().design.draftDegrees, 1) << "undo works while it runs";
+    driver.press("Ctrl+Shift+Z");
+    driver.window().view().setFocus();
+    driver.press("Space");
+    ASSERT_TRUE(driver.waitIdle(180000));
+    ASSERT_TRUE(driver.bench().project().cast);
+    EXPECT_EQ(driver.bench().project().cast->draftDegrees, 3);
+    EXPECT_EQ(driver.bench().project().design.draftDegrees, 3);
+    EXPECT_TRUE(driver.bench().castIsProved());
+    EXPECT_EQ(driver.bench().document().history().steps().size(), steps + 2);
+}
+
+TEST(LiveRun, ThePlaneDraggedWhileItBendsIsTheCasts) {
+    WindowDriver driver;
+    ASSERT_NO_FATAL_FAILURE(bendAndHold(driver, "bent_beam"));
+    PartView& view = driver.window().view();
+    const MoldState before = *driver.bench().shownState();
+    const QPoint grip = view.gripPixel(scene::Grip::SlidePlane);
+    const double way = 0.02 * diagonal(*driver.bench().project().part);
+    const Eigen::Vector3d middle = before.plane.offset * before.plane.normal;
+    drag(view, grip, grip + view.pixelOf(middle + way * before.plane.normal) - view.pixelOf(middle));
+    const PartingPlane dragged = driver.bench().document().committed().state->plane;
+    EXPECT_NE(dragged, before.plane);
+    driver.shot("60-plane-dragged-in-a-run");
+    const std::size_t frames = driver.bench().progress().size();
+    driver.press("Space");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().progress().size() > frames; }));
+    ASSERT_TRUE(driver.waitIdle(180000));
+    ASSERT_TRUE(driver.bench().project().cast);
+    EXPECT_EQ(driver.bench().project().cast->state.plane, dragged);
+    EXPECT_TRUE(driver.bench().castIsProved());
+}
+
+TEST(LiveRun, APinClickedOnTheBentShapeIsAPointOfThePartAndEndsInThePlane) {
+    WindowDriver driver;
+    ASSERT_NO_FATAL_FAILURE(bendAndHold(driver, "bent_beam"));
+    const auto& frame = driver.bench().frame()->frame;
+    const MoldState state = *driver.bench().shownState();
+    // A point of the bent shape that is seen: the one highest over the plane.
+    Eigen::Index top = 0;
+    (frame.shape->V * state.plane.normal).maxCoeff(&top);
+    const Eigen::Vector3d there = frame.shape->V.row(top);
+    const Eigen::Vector3d inPart = frame.before->row(top);
+    driver.window().view().lookFrom(state.plane.normal);
+    driver.press("P");
+    QTest::qWait(200);
+    QTest::mouseClick(&driver.window().view(), Qt::LeftButton, {}, driver.window().view().pixelOf(there));
+    QTest::qWait(100);
+    const double size = diagonal(*driver.bench().project().part);
+    ASSERT_EQ(driver.bench().project().pins.size(), 1U);
+    EXPECT_LT((driver.bench().project().pins[0].point - inPart).norm(), 0.05 * size);
+    ASSERT_EQ(driver.window().view().scene().pins().pins().pins.size(), 1U);
+    EXPECT_LT((driver.window().view().scene().pins().pins().pins[0].place - there).norm(), 0.05 * size);
+    driver.shot("61-pin-set-in-a-run");
+    driver.press("Ctrl+Z");
+    EXPECT_TRUE(driver.bench().project().pins.empty());
+    driver.press("Esc");
+    driver.press("Space");
+    ASSERT_TRUE(driver.waitIdle(180000));
+    EXPECT_TRUE(driver.bench().castIsProved());
+}
+
+TEST(LiveRun, WhatARunCannotTakeUpWaitsForTheNextAndIsTold) {
+    WindowDriver driver;
+    ASSERT_NO_FATAL_FAILURE(bendAndHold(driver, "bent_beam"));
+    Project other = driver.bench().document().committed();
+    other.design.seed = 7;
+    driver.bench().document().edit(QStringLiteral("Another seed"), other);
+    EXPECT_EQ(driver.bench().messages()->at(0).standing, Standing::Warning);
+    driver.window().view().setFocus();
+    driver.press("Space");
+    ASSERT_TRUE(driver.waitIdle(180000));
+    EXPECT_FALSE(driver.bench().project().cast) << "it is not of these settings";
+    EXPECT_EQ(driver.bench().project().design.seed, 7U);
+    driver.press("Ctrl+Z");
+    EXPECT_TRUE(driver.bench().project().cast) << "the cast is one step back";
+    EXPECT_EQ(driver.bench().project().design.seed, 1U);
+}
