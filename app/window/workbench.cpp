@@ -19,6 +19,12 @@ Eigen::AlignedBox3d boxAround(const std::vector<Eigen::Vector3d>& places) {
     return box;
 }
 
+/// Whether a run was told of another plane or other directions than it has heard of.
+bool stateWaits(const LiveSettings& told, const LiveSettings& heard) {
+    return told.plane && (told.plane != heard.plane || told.directionsChoice != heard.directionsChoice ||
+                          told.directions != heard.directions);
+}
+
 } // namespace
 
 Workbench::Workbench(QObject* parent) : QObject(parent) {
@@ -61,9 +67,10 @@ SharedMesh Workbench::shownMesh() const {
 }
 
 std::optional<MoldState> Workbench::shownState() const {
-    // While the plane is dragged, what is dragged is in view.
+    // While the plane is dragged, or moved and not yet taken up by the run, it is seen where it will be.
     const bool dragged = project().state != m_document.committed().state;
-    return m_frame && !dragged ? std::optional(m_frame->frame.state) : project().state;
+    const bool waits = running() && m_frame && stateWaits(m_posted, m_frame->frame.settings);
+    return m_frame && !dragged && !waits ? std::optional(m_frame->frame.state) : project().state;
 }
 
 void Workbench::askAnalysis() {

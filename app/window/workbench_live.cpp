@@ -21,7 +21,7 @@ std::shared_ptr<const IndexedMesh> partIn(const DesignFrame& frame, const Shared
 Project Workbench::projectInView() const {
     Project project = m_document.committed();
     if (m_frame)
-        project.state = m_frame->frame.state;
+        project.state = shownState();
     return project;
 }
 

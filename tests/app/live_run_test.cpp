@@ -53,10 +53,10 @@ TEST(LiveRun, TheDraftTypedWhileItBendsIsReachedAndUndoneWithOneKey) {
     driver.selectRow("deform");
     driver.type("field-draft", "3");
     EXPECT_EQ(driver.bench().document().history().steps().size(), steps + 1);
+    driver.window().view().setFocus();
     driver.press("Ctrl+Z");
     EXPECT_EQ(driver.bench().project().design.draftDegrees, 1) << "undo works while it runs";
     driver.press("Ctrl+Shift+Z");
-    driver.window().view().setFocus();
     driver.press("Space");
     ASSERT_TRUE(driver.waitIdle(180000));
     ASSERT_TRUE(driver.bench().project().cast);
@@ -77,6 +77,7 @@ TEST(LiveRun, ThePlaneDraggedWhileItBendsIsTheCasts) {
     drag(view, grip, grip + view.pixelOf(middle + way * before.plane.normal) - view.pixelOf(middle));
     const PartingPlane dragged = driver.bench().document().committed().state->plane;
     EXPECT_NE(dragged, before.plane);
+    EXPECT_EQ(driver.bench().shownState()->plane, dragged) << "it stays where it was dragged to";
     driver.shot("60-plane-dragged-in-a-run");
     const std::size_t frames = driver.bench().progress().size();
     driver.press("Space");
