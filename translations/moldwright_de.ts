@@ -1677,8 +1677,8 @@
         <translation>Glättung γ</translation>
     </message>
     <message>
-        <source>How much neighbours turn alike, in the paper&apos;s method and while pins are drawn into the plane.</source>
-        <translation>Wie sehr sich Nachbarn gleich drehen, im veröffentlichten Verfahren und während Heftpunkte in die Ebene gezogen werden.</translation>
+        <source>How much neighbours turn alike in the paper&apos;s method.</source>
+        <translation>Wie sehr sich Nachbarn im veröffentlichten Verfahren gleich drehen.</translation>
     </message>
 </context>
 <context>

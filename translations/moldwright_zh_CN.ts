@@ -1940,8 +1940,8 @@
         <translation>平滑 γ</translation>
     </message>
     <message>
-        <source>How much neighbours turn alike, in the paper&apos;s method and while pins are drawn into the plane.</source>
-        <translation>相邻部分一同转动的程度，用于论文方法以及将固定点拉入分型面时。</translation>
+        <source>How much neighbours turn alike in the paper&apos;s method.</source>
+        <translation>论文方法中相邻部分一同转动的程度。</translation>
     </message>
 </context>
 <context>

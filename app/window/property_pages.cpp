@@ -185,11 +185,9 @@ PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
     PropertySection goal = draftGoal();
     goal.rows.push_back({u"method"_s, Words::tr("Method"), Words::tr("How the shape is bent."),
                          ChoiceProperty{{Words::tr("Elastic, then finish"), Words::tr("As in the paper")}}});
-    goal.rows.push_back(
-        number(u"smoothing"_s, Words::tr("Smoothing γ"),
-               Words::tr("How much neighbours turn alike, in the paper's method and while pins "
-                         "are drawn into the plane."),
-               {{}, 0, 1, 0.05, 2, true}));
+    goal.rows.push_back(number(u"smoothing"_s, Words::tr("Smoothing γ"),
+                               Words::tr("How much neighbours turn alike in the paper's method."),
+                               {{}, 0, 1, 0.05, 2, true}));
     goal.rows.push_back(
         {u"fill"_s, Words::tr("Where bending fails"),
          Words::tr("What becomes of places that no bending frees: told as an obstruction, or filled."),

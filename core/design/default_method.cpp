@@ -256,8 +256,8 @@ Error drawnThroughItself(const IndexedMesh& part, int face) {
             {place}};
 }
 
-/// Pins first bend the whole part, unsplit, until they lie in the plane; what they make meet lies side by side:
-/// [Stein 2019], Section 6.1.
+/// Pins first bend the whole part, unsplit, until they lie in the plane; what they make meet lies side by
+/// side: [Stein 2019], Section 6.1.
 Result<PinnedShape> pinned(const MoldState& state, DesignRun& run) {
     Result<Elastoplastic> solver = elastoplasticAt(state, run);
     if (!solver)

@@ -54,7 +54,8 @@ struct LiveSettings {
                                    ///< method always does that)
     double draftDegrees = 1;
     DirectionLimits limits; ///< where directions that are not Given may point
-    double smoothing = 0.1; ///< γ of [Stein 2019], Eq. (6); of the published method
+    double smoothing = 0.1; ///< γ of [Stein 2019], Eq. (6): how much neighbours turn alike in the published
+                            ///< method
     std::vector<Pin> pins;
     std::vector<double> faceWeights; ///< importance per face of the part, 1 = plain; empty: all plain
     std::vector<KeptRegion> regions; ///< of the part: measured in the result
