@@ -2477,10 +2477,6 @@
         <translation>Die Form ruht. &lt;b&gt;Leertaste&lt;/b&gt; biegt weiter, &lt;b&gt;Strg+Umschalt+Eingabe&lt;/b&gt; stellt fertig.</translation>
     </message>
     <message>
-        <source>The part bends. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
-        <translation>Das Teil biegt sich. &lt;b&gt;Leertaste&lt;/b&gt; hält es fest, &lt;b&gt;Strg+.&lt;/b&gt; hält an.</translation>
-    </message>
-    <message>
         <source>Turn direction 1</source>
         <translation>Richtung 1 drehen</translation>
     </message>

@@ -2711,10 +2711,6 @@
         <translation>形状静止。&lt;b&gt;空格&lt;/b&gt;继续弯曲，&lt;b&gt;Ctrl+Shift+Return&lt;/b&gt; 完成它。</translation>
     </message>
     <message>
-        <source>The part bends. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
-        <translation>零件正在弯曲。&lt;b&gt;空格&lt;/b&gt;使其停住，&lt;b&gt;Ctrl+.&lt;/b&gt; 停止。</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, &lt;b&gt;Del&lt;/b&gt; removes it; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
         <translation>&lt;b&gt;点击&lt;/b&gt;固定点以选中，&lt;b&gt;Del&lt;/b&gt; 移除；&lt;b&gt;P&lt;/b&gt; 固定另一个点。%1</translation>
     </message>

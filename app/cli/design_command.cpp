@@ -38,6 +38,7 @@ struct DesignOptions {
     std::string fill = "auto";
     bool merge = false;
     std::string method = "default";
+    double smoothing = 0.1; ///< γ
     SizeOptions size;
     LimitOptions limits;
     std::vector<double> fillAt; ///< three numbers a place
@@ -124,6 +125,7 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
     request.limits = *limits;
     request.undercuts = undercutChoices(options);
     request.method = options.method == "paper" ? DeformationMethod::Paper : DeformationMethod::Default;
+    request.smoothing = options.smoothing;
     request.fill = options.fill == "auto" ? FillChoice::Auto : FillChoice::None;
     request.mergePieces = options.merge;
     request.keepUnfinished = true;
@@ -268,6 +270,9 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     o.limits.declare(app);
     app.add_option("--method", o.method, "default, or paper: the published method as described")
         ->check(CLI::IsMember({"default", "paper"}))
+        ->capture_default_str();
+    app.add_option("--smoothing", o.smoothing, "How much neighbours turn alike in --method paper: 0 to 1")
+        ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     app.add_option("--pins", o.pins, "none, or a JSON file of points to draw into the plane")
         ->capture_default_str();

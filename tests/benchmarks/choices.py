@@ -86,7 +86,7 @@ def run_in_frames(studio):
     shown = [frames[round(i * (len(frames) - 1) / 4)] for i in range(5)]
     pictures = [studio.draw(folder / "frames" / frame["file"], f"frame-{i + 1}", frame)
                 for i, frame in enumerate(shown)]
-    words = [f"step {frame['step']}, {frame['stage']}: {100 * frame['violating_area_fraction']:.1f} % undercut"
+    words = [f"step {frame['step']}, {frame['stage']}: {100 * frame['violating_area_fraction']:.1f} % below the draft"
              for frame in shown]
     return "## A run\n\nThe rabbit on its way (`--frames`).\n\n" + table(pictures, [words])
 
@@ -124,13 +124,26 @@ def painted_eye(studio):
     """[Stein 2019], Figure 12."""
     rows = []
     for weight in (1, 16):
-        region = {"name": "eye", "centre": [10.48, -19.95, 46.89], "radius": 3.49, "weight": weight}
+        region = {"name": "eye", "centre": [10.5, -20, 46.99], "radius": 3.5, "weight": weight}
         folder, d = studio.design("goat_head", "--weights", studio.file({"regions": [region]}))
         eye = d["regions"][0]
         rows.append([f"weight {weight}", studio.draw(folder / "cast.ply", f"eye-{weight}", d),
                      f"{eye['strain_rms']:.3f}", f"{eye['max_distance']:.2f} mm", numbers(d)])
     return ("## An eye worth keeping\n\nThe front of the goat head's eye, plain and painted four times.\n\n" +
             table(["", "cast", "strain of the eye", "its largest change", "the whole"], rows))
+
+
+def smoothed(studio):
+    """[Stein 2019], Figure 9."""
+    heads, casts, figures = [], [], []
+    for gamma in (0, 0.1, 0.5):
+        folder, d = studio.design("bent_beam", "--method", "paper", "--smoothing", gamma)
+        heads.append(f"γ = {gamma}")
+        casts.append(studio.draw(folder / "cast.ply", f"smoothing-{gamma}", d))
+        figures.append(f"{100 * d['violating_area_fraction']:.2f} % below the draft, roughness {d['strain']['roughness_ratio']:.2f}")
+    return ("## Neighbours that turn alike\n\nThe published method (`--method paper --smoothing γ`) on the bent beam; roughness is the "
+            "rms angle between neighbouring faces over that of the part. The default has a membrane and a finish instead.\n\n" +
+            table(heads, [casts, figures]))
 
 
 def main():
@@ -144,6 +157,7 @@ def main():
                 "the ends of both ears pinned.", "rabbit",
                 [("without pins", across("rabbit", [1, 0, 0]), []),
                  ("both ears pinned", across("rabbit", [1, 0, 0]), upper_tips(studio, "rabbit", 70))]),
+        smoothed(studio),
         suggested_points(studio),
         painted_eye(studio),
         compare(studio, "Two planes of the hand", "Along the palm, and across it.", "hand",
