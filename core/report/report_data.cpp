@@ -2,9 +2,11 @@
 #include "report/report_data.h"
 
 #include "mesh/measures.h"
+#include "mold/shrink.h"
 #include "report/figures.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace moldwright {
@@ -44,6 +46,31 @@ void addVerdict(ReportData& data, const ReportSubject& subject) {
     }
 }
 
+/// "1.5 %, 1 + S: factor 1.015"; by axes of the part where they differ.
+std::string shrinkText(const ShrinkSettings& shrink) {
+    const Vector3d& percent = shrink.percent;
+    if (percent.isZero(0))
+        return "none, factor 1";
+    const auto factor = [&](int axis) { return readable(shrinkFactor(percent[axis], shrink.formula), 5); };
+    const std::string formula = shrink.formula == ShrinkFormula::Plus ? "1 + S" : "1/(1 − S)";
+    if (percent.x() == percent.y() && percent.y() == percent.z())
+        return readable(percent.x()) + " %, " + formula + ": factor " + factor(0);
+    return "x " + readable(percent.x()) + ", y " + readable(percent.y()) + ", z " + readable(percent.z()) +
+           " %, " + formula + ": factors " + factor(0) + ", " + factor(1) + ", " + factor(2);
+}
+
+/// The thinnest steel's row, with what it stands between.
+ReportRow steelRow(const Mold& mold) {
+    std::string name = "Smallest steel";
+    if (!mold.steel.empty()) {
+        std::string between = mold.steel.front().first + " to " + mold.steel.front().second;
+        std::ranges::transform(between, between.begin(),
+                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        name += ", " + between;
+    }
+    return {name, figure(mold.minWall, 2) + " mm", true};
+}
+
 std::vector<ReportRow> titleBlock(const ReportSubject& subject) {
     const SharedMesh& shown = subject.cast ? subject.cast : subject.part;
     return {{"Part", subject.partName},
@@ -51,7 +78,7 @@ std::vector<ReportRow> titleBlock(const ReportSubject& subject) {
             {"Size", shown ? sizeInMillimetres(boundingBox(*shown).sizes()) : "none"},
             {"Date", subject.date},
             {"Units", "millimetres, degrees"},
-            {"Shrink", "none, factor 1"}};
+            {"Shrink", subject.mold ? shrinkText(subject.mold->settings.shrink) : "no mold yet"}};
 }
 
 ReportSection planeAndDirections(const ReportSubject& subject) {
@@ -85,7 +112,7 @@ ReportSection numbers(const ReportSubject& subject) {
                     {"Clamp force, " + readable(mold.settings.pressure) + " bar × 1.1",
                      figure(mold.clampForce, mold.clampForce < 10 ? 2 : 1) + " kN"},
                     {"Mold, both halves", sizeInMillimetres(block)},
-                    {"Smallest steel to the outside", figure(mold.minWall, 2) + " mm", true}};
+                    steelRow(mold)};
     return section;
 }
 

@@ -60,6 +60,24 @@ TEST(Sha256, OfTheStandardsExamples) {
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST(ReportData, TellsTheShrinkThatTheMoldWasMadeWith) {
+    const auto shrinkOf = [](const ShrinkSettings& shrink) {
+        ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+        Mold mold = *subject.mold;
+        mold.settings.shrink = shrink;
+        subject.mold = std::make_shared<const Mold>(std::move(mold));
+        const auto rows = reportData(subject).titleBlock;
+        return std::ranges::find(rows, "Shrink", &ReportRow::label)->value;
+    };
+    EXPECT_EQ(shrinkOf({}), "none, factor 1");
+    EXPECT_EQ(shrinkOf({Eigen::Vector3d::Constant(1.5), ShrinkFormula::Plus, Eigen::Vector3d::Zero()}),
+              "1.5 %, 1 + S: factor 1.015");
+    EXPECT_EQ(shrinkOf({Eigen::Vector3d::Constant(5), ShrinkFormula::Divide, Eigen::Vector3d::Zero()}),
+              "5 %, 1/(1 − S): factor 1.0526");
+    EXPECT_EQ(shrinkOf({{1, 2, 0}, ShrinkFormula::Plus, Eigen::Vector3d::Zero()}),
+              "x 1, y 2, z 0 %, 1 + S: factors 1.01, 1.02, 1");
+}
+
 TEST(ReportData, OfAProvedMold) {
     const ReportData data = reportData(subjectWith(frusta(20, 10, 5, 3, 0.1)));
     EXPECT_TRUE(data.proved);
@@ -67,7 +85,7 @@ TEST(ReportData, OfAProvedMold) {
     EXPECT_NE(data.statement.find("draft 5.71° or more, where 1.0° is required"), std::string::npos);
     EXPECT_EQ(valueOf(data.numbers, "Projected area in the plane"), "2.00 cm²");
     EXPECT_EQ(valueOf(data.numbers, "Clamp force, 4 bar × 1.1"), "0.09 kN");
-    EXPECT_EQ(valueOf(data.numbers, "Smallest steel to the outside"), "5.00 mm");
+    EXPECT_EQ(valueOf(data.numbers, "Smallest steel, cavity to outside"), "5.00 mm");
     EXPECT_EQ(valueOf(data.planeAndDirections, "Direction 2"), "(0.0000, 0.0000, −1.0000)\n0.0° to −n");
     EXPECT_EQ(valueOf(data.kept, "Volume, cast over part"), "99.8 %");
     EXPECT_TRUE(data.openItems.empty());
