@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/design_command.h"
 
+#include "cli/auto_pins.h"
 #include "cli/design_files.h"
 #include "cli/frame_writer.h"
 #include "cli/load_part.h"
@@ -70,7 +71,7 @@ std::vector<Message> warningsFor(const IndexedMesh& part, const DesignResult& re
 /// Pins and importance from their files.
 Result<void> takeGuides(const DesignOptions& options, DesignRequest& request,
                         std::vector<ImportantRegion>& importance) {
-    if (options.pins != "none") {
+    if (options.pins != "none" && options.pins != "auto") {
         Result<std::vector<Pin>> pins = readPins(options.pins, *request.part);
         if (!pins)
             return std::unexpected(pins.error());
@@ -223,6 +224,20 @@ ExitCode answerOf(const DesignResult& result) {
     return result.obstructions.empty() ? ExitCode::No : ExitCode::Impossible;
 }
 
+/// Runs the design; where pins are the program's to choose, `request` then has them.
+Result<DesignResult> designed(const DesignOptions& options, DesignRequest& request, FrameWriter& frames,
+                              const Session& session) {
+    const Task task = session.task().part(0.05, options.mold ? 0.85 : 1);
+    const FrameSink sink = options.frames ? frames.sink() : FrameSink{};
+    if (options.pins != "auto")
+        return design(request, task, sink);
+    Result<AutoPinned> pinned = designWithTips(request, task, sink);
+    if (!pinned)
+        return std::unexpected(pinned.error());
+    request = std::move(pinned->request);
+    return std::move(pinned->result);
+}
+
 Result<ExitCode> runDesign(const DesignOptions& options, const Session& session) {
     std::map<std::string, double> seconds;
     auto whole = std::make_unique<Stopwatch>(seconds, "total");
@@ -235,12 +250,11 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
     const Placement placement = options.size.placementFor(*source);
     const auto part = std::make_shared<const IndexedMesh>(placed(*source, placement));
     std::vector<ImportantRegion> importance;
-    const Result<DesignRequest> request = requestFor(options, part, session, importance);
+    Result<DesignRequest> request = requestFor(options, part, session, importance);
     if (!request)
         return std::unexpected(request.error());
     FrameWriter frames(std::filesystem::path(options.output) / "frames");
-    Result<DesignResult> result = design(*request, session.task().part(0.05, options.mold ? 0.85 : 1),
-                                         options.frames ? frames.sink() : FrameSink{});
+    Result<DesignResult> result = designed(options, *request, frames, session);
     if (!result)
         return std::unexpected(result.error());
     if (const Result<void> done = frames.finish(); !done)
@@ -274,7 +288,9 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     app.add_option("--smoothing", o.smoothing, "How much neighbours turn alike in --method paper: 0 to 1")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    app.add_option("--pins", o.pins, "none, or a JSON file of points to draw into the plane")
+    app.add_option("--pins", o.pins,
+                   "none; auto: suggested ends of limbs, where that helps; or a JSON file of points to draw "
+                   "into the plane")
         ->capture_default_str();
     app.add_option("--weights", o.weights, "JSON file of regions that are to keep their shape");
     app.add_option("--fill", o.fill, "auto: what no bending frees is filled; none: it is named")

@@ -2,6 +2,7 @@
 #include "design/default_method.h"
 
 #include "design/attempt.h"
+#include "design/given_up.h"
 #include "design/mold_states.h"
 #include "design/paper_method.h"
 #include "design/pinned_planes.h"
@@ -23,8 +24,6 @@ constexpr std::size_t kPlanesForLimbs = 3; ///< of these, tried when only a limb
 constexpr int kFacesBentWhole =
     60000;                           ///< larger parts bend by a stand-in only: theirs are too many tetrahedra
 constexpr int kPlanesForPins = 3;    ///< tried where pins came without a plane
-constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
-constexpr double kLimbVolume = 0.75; ///< share of its volume
 constexpr double kNearlyKept = 0.15; ///< missing shares, summed, that more detail may well bring back
 constexpr double kMuchLost = 0.25;   ///< missing shares, summed, from which filling is tried beside bending
 constexpr double kBarelyLost = 0.05; ///< missing shares of a limb that is not worth filling
@@ -32,26 +31,8 @@ constexpr double kLimbReach = 0.15;  ///< of the diagonal: how far a limb's tip 
 constexpr int kLimbRounds = 2;       ///< in which lost limbs are kept by filling
 constexpr double kHopeless = 1;      ///< missing shares, summed, that no finer stand-in brings back
 
-/// By how much a limb fell short of what it is to keep.
-double missing(const LimbMeasure& limb) {
-    return std::max(0.0, kLimbLength - limb.lengthRatio) + std::max(0.0, kLimbVolume - limb.volumeRatio);
-}
-
-/// The same of all limbs, summed; 0: all kept.
-double limbsLost(const DesignResult& result) {
-    double lost = 0;
-    for (const LimbMeasure& limb : result.limbs)
-        lost += missing(limb);
-    return lost;
-}
-
 bool goodEnough(const DesignResult& result) {
     return result.castable && limbsLost(result) == 0;
-}
-
-/// What the part has given up: limbs, and the share of its volume that filling buries it under.
-double givenUp(const DesignResult& result) {
-    return limbsLost(result) + result.change.filledVolumeFraction;
 }
 
 /// Castable before not castable; then the less given up, or the less left undone.

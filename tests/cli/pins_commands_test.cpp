@@ -168,6 +168,29 @@ TEST_F(PinsCommands, PinsAndWeightsOfAFileThatCannotBeUsedAreNamed) {
     EXPECT_NE(missing.err.find("nowhere.json"), std::string::npos) << missing.err;
 }
 
+TEST_F(PinsCommands, EndsOfLimbsArePinnedOnAskingWhereThatHelps) {
+    const std::vector<std::string> plain = {"design", test::samples() / "hand.ply", "--out", in("plain")};
+    ASSERT_EQ(test::runProgram(plain).exitCode, 0);
+    std::vector<std::string> asked = plain;
+    asked[3] = in("auto");
+    asked.insert(asked.end(), {"--pins", "auto"});
+    ASSERT_EQ(test::runProgram(asked).exitCode, 0);
+    const Json without = jsonIn("plain/design.json");
+    const Json with = jsonIn("auto/design.json");
+    EXPECT_EQ(with["plane"], without["plane"]);
+    ASSERT_TRUE(with.contains("pins"));
+    EXPECT_FALSE(with["pins"].empty());
+    for (const Json& pin : with["pins"])
+        EXPECT_LT(std::abs(pin["distance_from_plane"].get<double>()), 1e-4);
+    EXPECT_LE(with["change"]["filled_volume_fraction"], without["change"]["filled_volume_fraction"]);
+    // It has no limbs to pin.
+    ASSERT_EQ(
+        test::runProgram({"design", test::samples() / "praline.ply", "--out", in("none"), "--pins", "auto"})
+            .exitCode,
+        0);
+    EXPECT_FALSE(jsonIn("none/design.json").contains("pins"));
+}
+
 TEST_F(PinsCommands, FramesAreTheShapesOnTheWay) {
     const std::string part = bow(16);
     ASSERT_EQ(test::runProgram({"design", part, "--out", in("out"), "--frames"}).exitCode, 0);

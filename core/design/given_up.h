@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "design/design.h"
+
+#include <algorithm>
+
+namespace moldwright {
+
+inline constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
+inline constexpr double kLimbVolume = 0.75; ///< share of its volume
+
+/// By how much a limb fell short of what it is to keep.
+[[nodiscard]] inline double missing(const LimbMeasure& limb) {
+    return std::max(0.0, kLimbLength - limb.lengthRatio) + std::max(0.0, kLimbVolume - limb.volumeRatio);
+}
+
+/// The same of all limbs, summed; 0: all kept.
+[[nodiscard]] inline double limbsLost(const DesignResult& result) {
+    double lost = 0;
+    for (const LimbMeasure& limb : result.limbs)
+        lost += missing(limb);
+    return lost;
+}
+
+/// What the part has given up: limbs, and the share of its volume that filling buries it under.
+[[nodiscard]] inline double givenUp(const DesignResult& result) {
+    return limbsLost(result) + result.change.filledVolumeFraction;
+}
+
+} // namespace moldwright
