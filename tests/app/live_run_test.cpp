@@ -29,7 +29,31 @@ void bendAndHold(WindowDriver& driver, const char* sample) {
     ASSERT_TRUE(driver.waitFor([&] { return driver.bench().progress().size() >= 4; }, 180000));
     driver.press("Space");
     ASSERT_TRUE(driver.bench().resting());
-    QTest::qWait(300); // a step under way ends
+    // A step under way ends, however busy the machine is.
+    for (std::size_t seen = 0; seen != driver.bench().progress().size();) {
+        seen = driver.bench().progress().size();
+        QTest::qWait(1500);
+    }
+}
+
+/// The face that looks most along the normal, of those near the top of the shape, where nothing hides it.
+int faceTowards(const IndexedMesh& shape, const Eigen::Vector3d& normal) {
+    const Eigen::VectorXd heights = shape.V * normal;
+    const double nearTop = heights.maxCoeff() - 0.1 * (heights.maxCoeff() - heights.minCoeff());
+    int best = 0;
+    double most = -1;
+    for (int f = 0; f < shape.faceCount(); ++f) {
+        const double facing = doubleAreaVector(shape, f).normalized().dot(normal);
+        if (facing > most && heights[shape.F(f, 0)] > nearTop) {
+            most = facing;
+            best = f;
+        }
+    }
+    return best;
+}
+
+Eigen::Vector3d middleOf(const Points& V, const Eigen::RowVector3i& face) {
+    return (V.row(face[0]) + V.row(face[1]) + V.row(face[2])) / 3;
 }
 
 void drag(PartView& view, QPoint from, QPoint to) {
@@ -91,13 +115,11 @@ TEST(LiveRun, ThePlaneDraggedWhileItBendsIsTheCasts) {
 TEST(LiveRun, APinClickedOnTheBentShapeIsAPointOfThePartAndEndsInThePlane) {
     WindowDriver driver;
     ASSERT_NO_FATAL_FAILURE(bendAndHold(driver, "bent_beam"));
-    const auto& frame = driver.bench().frame()->frame;
+    const DesignFrame frame = driver.bench().frame()->frame;
     const MoldState state = *driver.bench().shownState();
-    // A point of the bent shape that is seen: the one highest over the plane.
-    Eigen::Index top = 0;
-    (frame.shape->V * state.plane.normal).maxCoeff(&top);
-    const Eigen::Vector3d there = frame.shape->V.row(top);
-    const Eigen::Vector3d inPart = frame.before->row(top);
+    const int face = faceTowards(*frame.shape, state.plane.normal);
+    const Eigen::Vector3d there = middleOf(frame.shape->V, frame.shape->F.row(face));
+    const Eigen::Vector3d inPart = middleOf(*frame.before, frame.shape->F.row(face));
     driver.window().view().lookFrom(state.plane.normal);
     driver.press("P");
     QTest::qWait(200);
