@@ -120,10 +120,12 @@ TEST(LiveRun, APinClickedOnTheBentShapeIsAPointOfThePartAndEndsInThePlane) {
     const int face = faceTowards(*frame.shape, state.plane.normal);
     const Eigen::Vector3d there = middleOf(frame.shape->V, frame.shape->F.row(face));
     const Eigen::Vector3d inPart = middleOf(*frame.before, frame.shape->F.row(face));
-    driver.window().view().lookFrom(state.plane.normal);
+    PartView& view = driver.window().view();
+    view.lookFrom(state.plane.normal);
     driver.press("P");
-    QTest::qWait(200);
-    QTest::mouseClick(&driver.window().view(), Qt::LeftButton, {}, driver.window().view().pixelOf(there));
+    // The view turns there; from where it stood the place may be hidden.
+    ASSERT_TRUE(driver.waitFor([&] { return view.camera().backwards().isApprox(state.plane.normal, 1e-6); }));
+    QTest::mouseClick(&view, Qt::LeftButton, {}, view.pixelOf(there));
     QTest::qWait(100);
     const double size = diagonal(*driver.bench().project().part);
     ASSERT_EQ(driver.bench().project().pins.size(), 1U);
