@@ -17,7 +17,7 @@ namespace {
 using Box = Eigen::AlignedBox3d;
 
 constexpr std::size_t facesALeaf = 4;
-constexpr std::size_t facesABlock = 512;
+constexpr std::size_t leavesABlock = 128;
 
 /// Spreads the lowest ten bits of x to every third bit.
 std::uint32_t spread(std::uint32_t x) {
@@ -68,24 +68,24 @@ public:
             m_nodes[node] = m_nodes[2 * node].merged(m_nodes[2 * node + 1]);
     }
 
-    /// Calls found(f, g) for the i-th face f along the curve and every later one, g, whose box touches f's.
-    void forLaterFacesTouching(std::size_t i, const auto& found) const {
-        const std::size_t ownLeaf = i / facesALeaf;
+    /// How many leaves hold faces.
+    [[nodiscard]] std::size_t leafCount() const { return (m_faces.size() + facesALeaf - 1) / facesALeaf; }
+
+    /// Calls found(f, g) for each face f of a leaf and every face g later along the curve whose box touches
+    /// f's.
+    void forLaterFacesTouching(std::size_t leaf, const auto& found) const {
+        const Box& own = m_nodes[m_leaves + leaf];
         std::array<std::size_t, 64> waiting = {1};
         for (std::size_t count = 1; count > 0;) {
             const std::size_t node = waiting[--count];
-            if (lastLeafBelow(node) < ownLeaf || !m_nodes[node].intersects(m_boxes[i]))
+            if (lastLeafBelow(node) < leaf || !m_nodes[node].intersects(own))
                 continue;
             if (node < m_leaves) {
                 waiting[count++] = 2 * node + 1;
                 waiting[count++] = 2 * node;
                 continue;
             }
-            const std::size_t begin = (node - m_leaves) * facesALeaf;
-            for (std::size_t j = std::max(begin, i + 1); j < std::min(begin + facesALeaf, m_faces.size());
-                 ++j)
-                if (m_boxes[j].intersects(m_boxes[i]))
-                    found(m_faces[i], m_faces[j]);
+            compare(leaf, node - m_leaves, found);
         }
     }
 
@@ -93,6 +93,14 @@ private:
     [[nodiscard]] std::size_t lastLeafBelow(std::size_t node) const {
         const int levels = std::countl_zero(node) - std::countl_zero(m_leaves);
         return ((node + 1) << levels) - 1 - m_leaves;
+    }
+
+    void compare(std::size_t leaf, std::size_t other, const auto& found) const {
+        const auto endOf = [&](std::size_t at) { return std::min((at + 1) * facesALeaf, m_faces.size()); };
+        for (std::size_t i = leaf * facesALeaf; i < endOf(leaf); ++i)
+            for (std::size_t j = std::max(other * facesALeaf, i + 1); j < endOf(other); ++j)
+                if (m_boxes[j].intersects(m_boxes[i]))
+                    found(m_faces[i], m_faces[j]);
     }
 
     std::vector<int> m_faces;
@@ -109,11 +117,12 @@ std::vector<std::pair<int, int>> pairsWithTouchingBoxes(const IndexedMesh& mesh,
     if (faces.empty())
         return {};
     const BoxTree tree(mesh, faces);
-    std::vector<std::vector<std::pair<int, int>>> ofBlock((faces.size() + facesABlock - 1) / facesABlock);
-    parallelFor(faces.size(), facesABlock, [&](std::size_t begin, std::size_t end) {
-        auto& pairs = ofBlock[begin / facesABlock];
-        for (std::size_t i = begin; i < end; ++i)
-            tree.forLaterFacesTouching(i, [&](int f, int g) {
+    const std::size_t leaves = tree.leafCount();
+    std::vector<std::vector<std::pair<int, int>>> ofBlock((leaves + leavesABlock - 1) / leavesABlock);
+    parallelFor(leaves, leavesABlock, [&](std::size_t begin, std::size_t end) {
+        auto& pairs = ofBlock[begin / leavesABlock];
+        for (std::size_t leaf = begin; leaf < end; ++leaf)
+            tree.forLaterFacesTouching(leaf, [&](int f, int g) {
                 const std::pair<int, int> pair = std::minmax(f, g);
                 if (keep(pair.first, pair.second))
                     pairs.push_back(pair);

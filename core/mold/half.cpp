@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/half.h"
 
+#include "castability/certificate.h"
 #include "features/cgal/constrained_triangulation.h"
-#include "mesh/edge_table.h"
 #include "mesh/point_rows.h"
 #include "mesh/weld.h"
 
@@ -26,8 +26,9 @@ struct Flat {
 
 class HalfAssembly {
 public:
-    HalfAssembly(int side, IndexedMesh surface, const Block& block)
-        : m_surface(std::move(surface)), m_end(side == 1 ? block.max().z() : block.min().z()) {
+    HalfAssembly(int side, SurfaceSum surface, const Block& block)
+        : m_surface(std::move(surface.mesh)), m_open(std::move(surface.open)),
+          m_end(side == 1 ? block.max().z() : block.min().z()) {
         for (int k = 0; k < 4; ++k)
             for (const double z : {0.0, m_end}) {
                 const bool right = k == 1 || k == 2;
@@ -48,35 +49,44 @@ public:
         for (std::size_t i = 0; i < m_flats.size(); ++i)
             if (!addFlat(m_flats[i], segments[i]))
                 return std::nullopt;
-        IndexedMesh flats;
-        flats.V = pointRows(m_points);
-        flats.F.resize(static_cast<Eigen::Index>(m_faces.size()), 3);
-        for (std::size_t f = 0; f < m_faces.size(); ++f)
-            flats.F.row(static_cast<Eigen::Index>(f)) = m_faces[f];
-        return weldedTogether({m_surface, flats});
+        return whole();
     }
 
 private:
     int pointOf(int v) {
         const auto [at, isNew] = m_numberOf.try_emplace(v, static_cast<int>(m_points.size()));
-        if (isNew)
+        if (isNew) {
             m_points.push_back(m_surface.point(v));
+            m_ofSurface.push_back(v);
+        }
         return at->second;
+    }
+
+    /// The surface with the flat faces, whose points are its own but for the block's corners.
+    IndexedMesh whole() {
+        const int corners = m_surface.vertexCount();
+        m_surface.V.conservativeResize(corners + static_cast<Eigen::Index>(m_corners.size()), 3);
+        m_surface.V.bottomRows(static_cast<Eigen::Index>(m_corners.size())) = pointRows(m_corners);
+        Eigen::Index row = m_surface.F.rows();
+        m_surface.F.conservativeResize(row + static_cast<Eigen::Index>(m_faces.size()), 3);
+        const auto number = [&](int v) {
+            const std::size_t at = static_cast<std::size_t>(v);
+            return at < m_corners.size() ? corners + v : m_ofSurface[at - m_corners.size()];
+        };
+        for (const Eigen::RowVector3i& face : m_faces)
+            m_surface.F.row(row++) << number(face[0]), number(face[1]), number(face[2]);
+        return std::move(m_surface);
     }
 
     /// The surface's open edges, by the flat face that they lie in.
     std::array<std::vector<std::array<int, 2>>, 6> borders() {
         std::array<std::vector<std::array<int, 2>>, 6> found;
-        const EdgeTable edges(m_surface.F);
-        for (int e = 0; e < edges.edgeCount(); ++e) {
-            const auto sides = edges.sidesAt(e);
-            if (sides.size() != 1)
-                continue;
-            const Vector3d a = m_surface.point(sides[0].low);
-            const Vector3d b = m_surface.point(sides[0].high);
+        for (const auto& [from, to] : m_open) {
+            const Vector3d a = m_surface.point(from);
+            const Vector3d b = m_surface.point(to);
             for (std::size_t i = 0; i < m_flats.size(); ++i)
                 if (a[m_flats[i].axis] == m_flats[i].value && b[m_flats[i].axis] == m_flats[i].value) {
-                    found[i].push_back({pointOf(sides[0].low), pointOf(sides[0].high)});
+                    found[i].push_back({pointOf(from), pointOf(to)});
                     break;
                 }
         }
@@ -146,10 +156,12 @@ private:
     }
 
     IndexedMesh m_surface;
+    std::vector<std::array<int, 2>> m_open;
     double m_end;
     std::vector<Vector3d> m_corners;
     std::vector<Flat> m_flats;
     std::vector<Vector3d> m_points; ///< the block's corners, then the borders'
+    std::vector<int> m_ofSurface;   ///< after the corners: which point of the surface each is
     std::map<int, int> m_numberOf;
     std::vector<Eigen::RowVector3i> m_faces;
 };
@@ -157,38 +169,26 @@ private:
 } // namespace
 
 std::optional<IndexedMesh> assembleHalf(int side, const HalfSurfaces& surfaces, const Block& block) {
-    std::vector<IndexedMesh> all = surfaces.bosses;
-    for (const IndexedMesh& mesh : surfaces.voids)
-        all.push_back(insideOut(mesh));
-    return HalfAssembly(side, weldedTogether(all), block).closed();
-}
-
-IndexedMesh weldedTogether(const std::vector<IndexedMesh>& meshes) {
-    Eigen::Index points = 0;
-    Eigen::Index faces = 0;
-    for (const IndexedMesh& mesh : meshes) {
-        points += mesh.V.rows();
-        faces += mesh.F.rows();
+    std::vector<PlacedSurface> all = surfaces.bosses;
+    for (PlacedSurface surface : surfaces.voids) {
+        surface.insideOut = !surface.insideOut;
+        all.push_back(std::move(surface));
     }
-    IndexedMesh all{Points(points, 3), Triangles(faces, 3)};
-    points = faces = 0;
-    for (const IndexedMesh& mesh : meshes) {
-        all.V.middleRows(points, mesh.V.rows()) = mesh.V;
-        all.F.middleRows(faces, mesh.F.rows()) = (mesh.F.array() + static_cast<int>(points)).matrix();
-        points += mesh.V.rows();
-        faces += mesh.F.rows();
+    return HalfAssembly(side, sumOf(all), block).closed();
+}
+
+IndexedMesh sideOf(const IndexedMesh& solid, int side, double end) {
+    const SideLabels labels = labelSides(solid, {});
+    IndexedMesh faces{solid.V, Triangles(solid.F.rows(), 3)};
+    Eigen::Index kept = 0;
+    for (int f = 0; f < solid.faceCount(); ++f) {
+        const bool outside =
+            solid.corner(f, 0).z() == end && solid.corner(f, 1).z() == end && solid.corner(f, 2).z() == end;
+        if (labels[static_cast<std::size_t>(f)] == side && !outside)
+            faces.F.row(kept++) = solid.F.row(f);
     }
-    return weldEqualPoints(withoutUnusedPoints(all).mesh).mesh;
-}
-
-IndexedMesh insideOut(IndexedMesh mesh) {
-    mesh.F.col(1).swap(mesh.F.col(2));
-    return mesh;
-}
-
-IndexedMesh movedInPlane(IndexedMesh mesh, const Vector2d& by) {
-    mesh.V.leftCols(2).rowwise() += by.transpose();
-    return mesh;
+    faces.F.conservativeResize(kept, 3);
+    return withoutUnusedPoints(faces).mesh;
 }
 
 } // namespace moldwright

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
-#include "mesh/indexed_mesh.h"
 #include "mold/block.h"
+#include "mold/surface_sum.h"
 
 #include <optional>
 #include <vector>
@@ -12,9 +12,9 @@ namespace moldwright {
 /// The surfaces that one half shows to what is not air, each looking out of the solid it belongs to and open
 /// where it meets the parting plane or the block's faces.
 struct HalfSurfaces {
-    std::vector<IndexedMesh>
-        voids; ///< cavities, channels, sockets, slits: turned inside out they bound the half
-    std::vector<IndexedMesh> bosses; ///< keys: they belong to it
+    /// Cavities, channels, sockets, slits: turned inside out they bound the half.
+    std::vector<PlacedSurface> voids;
+    std::vector<PlacedSurface> bosses; ///< keys: they belong to it
 };
 
 /// Mold half `side`: a graph over the plane, so no boolean operation is needed. Its surfaces, and flat faces
@@ -23,13 +23,8 @@ struct HalfSurfaces {
 [[nodiscard]] std::optional<IndexedMesh> assembleHalf(int side, const HalfSurfaces& surfaces,
                                                       const Block& block);
 
-/// Meshes as one, equal points welded.
-[[nodiscard]] IndexedMesh weldedTogether(const std::vector<IndexedMesh>& meshes);
-
-/// The mesh inside out.
-[[nodiscard]] IndexedMesh insideOut(IndexedMesh mesh);
-
-/// The mesh moved in the plane.
-[[nodiscard]] IndexedMesh movedInPlane(IndexedMesh mesh, const Eigen::Vector2d& by);
+/// The faces of a closed solid in the mold's frame that lie on one side of the parting plane, but for those
+/// in the block's outer face at z = `end`, where something comes out.
+[[nodiscard]] IndexedMesh sideOf(const IndexedMesh& solid, int side, double end);
 
 } // namespace moldwright

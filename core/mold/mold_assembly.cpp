@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The second half of the builder's stages: from joined cavities to solids, numbers and the list of features.
+#include "base/parallel.h"
 #include "castability/parting_curves.h"
 #include "mesh/measures.h"
-#include "mesh/weld.h"
 #include "mold/mold_builder.h"
 
 #include <algorithm>
@@ -41,19 +41,8 @@ double enclosedArea(const IndexedMesh& cast, const std::vector<PartingCurve>& cu
     return doubled / 2;
 }
 
-/// The faces of one side but for those in the block's outer face, where a vent comes out.
-IndexedMesh sideOf(const IndexedMesh& solid, int side, double blockEnd) {
-    const SideLabels labels = labelSides(solid, {});
-    IndexedMesh faces{solid.V, Triangles(solid.F.rows(), 3)};
-    Eigen::Index kept = 0;
-    for (int f = 0; f < solid.faceCount(); ++f) {
-        const bool outside = solid.corner(f, 0).z() == blockEnd && solid.corner(f, 1).z() == blockEnd &&
-                             solid.corner(f, 2).z() == blockEnd;
-        if (labels[static_cast<std::size_t>(f)] == side && !outside)
-            faces.F.row(kept++) = solid.F.row(f);
-    }
-    faces.F.conservativeResize(kept, 3);
-    return withoutUnusedPoints(faces).mesh;
+PlacedSurface placed(IndexedMesh mesh) {
+    return {std::make_shared<const IndexedMesh>(std::move(mesh))};
 }
 
 double volumeOf(const DraftedPrism& prism) {
@@ -68,51 +57,56 @@ std::unexpected<Error> unsound() {
 
 } // namespace
 
-void MoldBuilder::addHalf(int side, HalfSurfaces& half, std::vector<IndexedMesh>& solids) {
+void MoldBuilder::addHalf(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids) {
     const double end = side == 1 ? m_block.max().z() : m_block.min().z();
-    std::vector<IndexedMesh> sides;
+    std::vector<PlacedSurface> sides;
     for (const JoinedCavity& joined : m_joined)
-        sides.push_back(sideOf(joined.hollow, side, end));
+        sides.push_back(placed(sideOf(joined.hollow, side, end)));
     for (const CavityCopy& copy : m_layout.copies)
-        half.voids.push_back(movedInPlane(sides[copy.kind], copy.offset));
+        half.voids.push_back({sides[copy.kind].mesh, copy.offset});
     for (const DraftedPrism& tail : m_openTails)
-        half.voids.push_back(*prismSurface(tail, side));
+        half.voids.push_back(placed(*prismSurface(tail, side)));
     for (const DraftedPrism& tail : m_closedTails)
-        solids.push_back(*prismSurface(tail, side));
+        solids.push_back(placed(*prismSurface(tail, side)));
     for (const WedgeSlit& slit : m_slits)
-        half.voids.push_back(*prismSurface(slit.prism, side));
+        half.voids.push_back(placed(*prismSurface(slit.prism, side)));
     for (const PlanShape& bolt : m_bolts)
-        half.voids.push_back(boltSurface(bolt, end));
+        half.voids.push_back(placed(boltSurface(bolt, end)));
     for (const RegistrationKey& key : m_keys)
         if (side == 1)
-            half.voids.push_back(*prismSurface(key.socket, 1));
+            half.voids.push_back(placed(*prismSurface(key.socket, 1)));
         else
-            half.bosses.push_back(*prismSurface(key.key, 1));
+            half.bosses.push_back(placed(*prismSurface(key.key, 1)));
 }
 
 Result<void> MoldBuilder::assemble() {
-    std::vector<IndexedMesh> solids;
-    std::array<HalfSurfaces, 2> halves;
+    std::vector<PlacedSurface> solids;
+    std::array<HalfSurfaces, 2> surfaces;
     for (const int side : {1, 2}) {
-        HalfSurfaces& half = halves[side == 1 ? 0 : 1];
+        HalfSurfaces& half = surfaces[side == 1 ? 0 : 1];
         addHalf(side, half, solids);
         for (const Channel& channel : m_net.channels) {
-            const std::optional<IndexedMesh> surface = prismSurface(channel.prism, side, channel.guests);
+            std::optional<IndexedMesh> surface = prismSurface(channel.prism, side, channel.guests);
             if (!surface)
                 return unsound();
-            half.voids.push_back(*surface);
-            solids.push_back(*surface);
+            half.voids.push_back(placed(*std::move(surface)));
+            solids.push_back(half.voids.back());
         }
     }
-    for (const CavityCopy& copy : m_layout.copies)
-        solids.push_back(movedInPlane(m_joined[copy.kind].solid, copy.offset));
-    m_mold.cast = std::make_shared<const IndexedMesh>(weldedTogether(solids));
-    for (const int side : {1, 2}) {
-        std::optional<IndexedMesh> half = assembleHalf(side, halves[side == 1 ? 0 : 1], m_block);
-        if (!half)
-            return unsound();
-        (side == 1 ? m_mold.half1 : m_mold.half2) = measured(*std::move(half));
+    for (const JoinedCavity& joined : m_joined) {
+        const PlacedSurface solid = placed(joined.solid);
+        for (const CavityCopy& copy : m_layout.copies)
+            if (copy.kind == static_cast<std::size_t>(&joined - m_joined.data()))
+                solids.push_back({solid.mesh, copy.offset});
     }
+    std::array<std::optional<IndexedMesh>, 2> halves;
+    parallelInvoke({[&] { m_mold.cast = std::make_shared<const IndexedMesh>(sumOf(solids).mesh); },
+                    [&] { halves[0] = assembleHalf(1, surfaces[0], m_block); },
+                    [&] { halves[1] = assembleHalf(2, surfaces[1], m_block); }});
+    if (!halves[0] || !halves[1])
+        return unsound();
+    m_mold.half1 = measured(*std::move(halves[0]));
+    m_mold.half2 = measured(*std::move(halves[1]));
     return {};
 }
 

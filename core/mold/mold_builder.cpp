@@ -206,9 +206,7 @@ Result<void> MoldBuilder::addTails() {
 }
 
 Result<void> MoldBuilder::prove() {
-    m_mold.castCertificate =
-        certify(*m_mold.cast, labelSides(*m_mold.cast, {}), {{}, m_mold.directions}, m_mold.draftDegrees);
-    m_mold.problems = problemsOf(m_mold);
+    proveMold(m_mold);
     return {};
 }
 

@@ -55,7 +55,7 @@ private:
     [[nodiscard]] bool placeOn(const Block& block);
     Result<void> makeRegistration();
     Result<void> addTails();
-    void addHalf(int side, HalfSurfaces& half, std::vector<IndexedMesh>& solids);
+    void addHalf(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids);
     void listFeatures();
     void listCavity(const CavityCopy& copy);
     void listChannels();

@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 namespace moldwright {
@@ -39,7 +41,8 @@ bool isSound(const IndexedMesh& half) {
 }
 
 /// Faces of the mold's outside: no point of the mold lies beyond their plane by more than rounding, so what
-/// moves there moves into free air. Each plane is looked at once, for the block's faces are many triangles.
+/// moves there moves into free air. Each plane is looked at once, for the block's faces are many triangles;
+/// most others are refuted by a point that refuted one before.
 class Outside {
 public:
     Outside(const IndexedMesh& half, const IndexedMesh& other, const IndexedMesh& cast)
@@ -50,50 +53,160 @@ public:
         const double offset = m_half.corner(f, 0).dot(normal);
         const auto [at, isNew] = m_known.try_emplace({normal.x(), normal.y(), normal.z(), offset}, false);
         if (isNew)
-            at->second = std::all_of(m_meshes.begin(), m_meshes.end(), [&](const IndexedMesh* mesh) {
-                return (mesh->V * normal).maxCoeff() <= offset + m_tolerance;
-            });
+            at->second = !beyond(normal, offset + m_tolerance);
         return at->second;
     }
 
 private:
+    [[nodiscard]] bool beyond(const Vector3d& normal, double offset) {
+        if (std::any_of(m_refuting.begin(), m_refuting.end(),
+                        [&](const Vector3d& p) { return p.dot(normal) > offset; }))
+            return true;
+        for (const IndexedMesh* mesh : m_meshes) {
+            Eigen::Index farthest = 0;
+            if ((mesh->V * normal).maxCoeff(&farthest) <= offset)
+                continue;
+            m_refuting.emplace_back(mesh->V.row(farthest).transpose());
+            return true;
+        }
+        return false;
+    }
+
     const IndexedMesh& m_half;
     std::array<const IndexedMesh*, 3> m_meshes;
     double m_tolerance;
+    std::vector<Vector3d> m_refuting;
     std::map<std::array<double, 4>, bool> m_known;
 };
 
-/// Whether nothing touches a face, and nothing is met when it moves along d: a bore, or lettering in the
-/// mold's outside. Such a face needs no draft. Places all over the face are looked at.
-class FreeAir {
+/// Where some faces stand, seen along z: places of a grid over them. Tells which faces of other meshes can be
+/// near.
+class PlanGrid {
 public:
-    FreeAir(const IndexedMesh& half, const IndexedMesh& other, const IndexedMesh& cast, const Vector3d& d)
-        : m_half(half), m_touching(touchingDistance(half)),
-          m_nearest{ClosestPoint(other), ClosestPoint(cast)},
-          m_over{Overhang(other, allFaces(other), d), Overhang(cast, allFaces(cast), d)} {}
+    PlanGrid(const IndexedMesh& mesh, const std::vector<int>& faces, double reach) : m_reach(reach) {
+        for (const int f : faces)
+            m_box.extend(boxOf(mesh, f));
+        m_cell = m_box.sizes() / cells;
+        for (const int f : faces) {
+            const auto [low, high] = range(boxOf(mesh, f));
+            for (int i = low[0]; i <= high[0]; ++i)
+                for (int j = low[1]; j <= high[1]; ++j)
+                    sum(i + 1, j + 1) = 1;
+        }
+        for (int i = 1; i <= cells; ++i)
+            for (int j = 1; j <= cells; ++j)
+                sum(i, j) += sum(i - 1, j) + sum(i, j - 1) - sum(i - 1, j - 1);
+    }
 
-    [[nodiscard]] bool holds(int f) const {
-        constexpr int parts = 8;
-        double farthest = 0;
-        for (int i = 1; i < parts; ++i)
-            for (int j = 1; i + j < parts; ++j) {
-                const Vector3d p = (i * m_half.corner(f, 0) + j * m_half.corner(f, 1) +
-                                    (parts - i - j) * m_half.corner(f, 2)) /
-                                   parts;
-                for (const Overhang& over : m_over)
-                    if (over.above(p) > m_touching)
-                        return false;
-                farthest = std::max(farthest, std::min(m_nearest[0].distance(p), m_nearest[1].distance(p)));
+    void addNear(const IndexedMesh& mesh, IndexedMesh& near) const {
+        std::vector<int> faces;
+        for (int f = 0; f < mesh.faceCount(); ++f) {
+            const Eigen::AlignedBox2d box = boxOf(mesh, f);
+            if (!box.intersects(m_box))
+                continue;
+            const auto [low, high] = range(box);
+            if (sum(high[0] + 1, high[1] + 1) - sum(low[0], high[1] + 1) - sum(high[0] + 1, low[1]) +
+                    sum(low[0], low[1]) >
+                0)
+                faces.push_back(f);
+        }
+        const auto first = static_cast<int>(near.V.rows());
+        near.V.conservativeResize(first + 3 * static_cast<Eigen::Index>(faces.size()), 3);
+        near.F.conservativeResize(near.V.rows() / 3, 3);
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            for (int k = 0; k < 3; ++k) {
+                const int v = first + 3 * static_cast<int>(i) + k;
+                near.V.row(v) = mesh.corner(faces[i], k).transpose();
+                near.F(v / 3, k) = v;
             }
-        return farthest > m_same;
     }
 
 private:
+    static constexpr int cells = 512;
+
+    [[nodiscard]] Eigen::AlignedBox2d boxOf(const IndexedMesh& mesh, int f) const {
+        Eigen::AlignedBox2d box;
+        for (int k = 0; k < 3; ++k)
+            box.extend(Eigen::Vector2d(mesh.corner(f, k).head<2>()));
+        return {Eigen::Vector2d(box.min().array() - m_reach), Eigen::Vector2d(box.max().array() + m_reach)};
+    }
+    [[nodiscard]] std::pair<std::array<int, 2>, std::array<int, 2>>
+    range(const Eigen::AlignedBox2d& box) const {
+        const auto cellOf = [&](const Eigen::Vector2d& p) {
+            std::array<int, 2> cell{};
+            for (int k = 0; k < 2; ++k)
+                cell[static_cast<std::size_t>(k)] =
+                    static_cast<int>(std::clamp((p[k] - m_box.min()[k]) / m_cell[k], 0.0, cells - 1.0));
+            return cell;
+        };
+        return {cellOf(box.min()), cellOf(box.max())};
+    }
+    [[nodiscard]] int& sum(int i, int j) { return m_sums[static_cast<std::size_t>(i * (cells + 1) + j)]; }
+    [[nodiscard]] int sum(int i, int j) const {
+        return m_sums[static_cast<std::size_t>(i * (cells + 1) + j)];
+    }
+
+    double m_reach;
+    Eigen::AlignedBox2d m_box;
+    Eigen::Vector2d m_cell = Eigen::Vector2d::Zero();
+    /// How many places from the corner up to here are taken.
+    std::vector<int> m_sums = std::vector<int>(static_cast<std::size_t>((cells + 1) * (cells + 1)), 0);
+};
+
+/// A mesh in the way of a half that moves along d.
+struct Obstacle {
+    Obstacle(const IndexedMesh& obstacle, const Vector3d& d)
+        : mesh(obstacle), over(obstacle, allFaces(obstacle), d) {}
+    const IndexedMesh& mesh;
+    Overhang over;
+};
+using Obstacles = std::array<const Obstacle*, 2>;
+
+/// Of these faces of a half those that something touches, or that meet something when they move along the
+/// obstacles' direction. The others, in bores or lettering, need no draft. Places all over a face are looked
+/// at.
+class FreeAir {
+public:
+    FreeAir(const IndexedMesh& half, const std::vector<int>& faces, const Obstacles& obstacles)
+        : m_half(half), m_obstacles(obstacles), m_touching(touchingDistance(half)),
+          m_same(onPlaneTolerance(half)) {
+        const PlanGrid grid(half, faces, 2 * m_same);
+        IndexedMesh near;
+        for (const Obstacle* obstacle : obstacles)
+            grid.addNear(obstacle->mesh, near);
+        if (near.faceCount() > 0)
+            m_nearest.emplace(near);
+    }
+
+    [[nodiscard]] bool holds(int f) const {
+        const std::vector<Vector3d> places = placesOn(f);
+        const bool meets = std::any_of(places.begin(), places.end(), [&](const Vector3d& p) {
+            return std::any_of(m_obstacles.begin(), m_obstacles.end(), [&](const Obstacle* obstacle) {
+                return obstacle->over.above(p) > m_touching;
+            });
+        });
+        return !meets && (!m_nearest || std::any_of(places.begin(), places.end(), [&](const Vector3d& p) {
+            return m_nearest->distance(p) > m_same;
+        }));
+    }
+
+private:
+    [[nodiscard]] std::vector<Vector3d> placesOn(int f) const {
+        constexpr int parts = 8;
+        std::vector<Vector3d> places;
+        for (int i = 1; i < parts; ++i)
+            for (int j = 1; i + j < parts; ++j)
+                places.emplace_back((i * m_half.corner(f, 0) + j * m_half.corner(f, 1) +
+                                     (parts - i - j) * m_half.corner(f, 2)) /
+                                    parts);
+        return places;
+    }
+
     const IndexedMesh& m_half;
+    Obstacles m_obstacles;
     double m_touching;
-    double m_same; ///< surfaces that touch agree to a unit of the grid
-    std::array<ClosestPoint, 2> m_nearest;
-    std::array<Overhang, 2> m_over;
+    double m_same; ///< surfaces that touch agree to a few units of the grid
+    std::optional<ClosestPoint> m_nearest;
 };
 
 /// Faces thinner than what counts as touching, where a bore's wall ends at the cavity: they go with the wall.
@@ -104,7 +217,7 @@ void addRimSlivers(const IndexedMesh& half, std::vector<int>& stuck, std::vector
         const auto [low, high] = std::minmax(half.F(f, k), half.F(f, (k + 1) % 3));
         return std::array{low, high};
     };
-    for (std::size_t next = 0; next < free.size(); ++next) {
+    for (std::size_t next = 0; next < free.size() && !stuck.empty(); ++next) {
         for (int k = 0; k < 3; ++k)
             edges.insert(edge(free[next], k));
         if (next + 1 < free.size())
@@ -124,27 +237,44 @@ void addRimSlivers(const IndexedMesh& half, std::vector<int>& stuck, std::vector
     }
 }
 
-std::vector<int> facesNotLeaving(const IndexedMesh& half, const IndexedMesh& other, const IndexedMesh& cast,
-                                 const Vector3d& d, double tau) {
-    Outside outside(half, other, cast);
-    std::vector<int> stuck;
-    for (int f = 0; f < half.faceCount(); ++f)
-        // Turned round: the face as the cast or the other half shows it.
-        if (!leavesAlong(half.corner(f, 0), half.corner(f, 2), half.corner(f, 1), d, tau) &&
-            !outside.holds(f))
-            stuck.push_back(f);
+constexpr std::size_t grain = 4096;
+
+/// The faces of a mesh for which `test` holds, in ascending order.
+std::vector<int> facesThat(const IndexedMesh& mesh, const std::function<bool(int)>& test) {
+    std::vector<char> holds(static_cast<std::size_t>(mesh.faceCount()), 0);
+    parallelFor(holds.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f)
+            holds[f] = test(static_cast<int>(f)) ? 1 : 0;
+    });
+    std::vector<int> faces;
+    for (std::size_t f = 0; f < holds.size(); ++f)
+        if (holds[f] != 0)
+            faces.push_back(static_cast<int>(f));
+    return faces;
+}
+
+std::vector<int> facesNotLeaving(const IndexedMesh& half, const Obstacles& obstacles, const Vector3d& d,
+                                 double tau) {
+    // Turned round: the face as the cast or the other half shows it.
+    std::vector<int> stuck = facesThat(half, [&](int f) {
+        return !leavesAlong(half.corner(f, 0), half.corner(f, 2), half.corner(f, 1), d, tau);
+    });
+    Outside outside(half, obstacles[0]->mesh, obstacles[1]->mesh);
+    std::erase_if(stuck, [&](int f) { return outside.holds(f); });
     if (stuck.empty())
         return stuck;
-    const FreeAir air(half, other, cast, d);
-    std::vector<int> free;
-    std::erase_if(stuck, [&](int f) {
-        if (!air.holds(f))
-            return false;
-        free.push_back(f);
-        return true;
+    const FreeAir air(half, stuck, obstacles);
+    std::vector<char> isFree(stuck.size(), 0);
+    parallelFor(stuck.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            isFree[i] = air.holds(stuck[i]) ? 1 : 0;
     });
-    addRimSlivers(half, stuck, free);
-    return stuck;
+    std::vector<int> free;
+    std::vector<int> held;
+    for (std::size_t i = 0; i < stuck.size(); ++i)
+        (isFree[i] != 0 ? free : held).push_back(stuck[i]);
+    addRimSlivers(half, held, free);
+    return held;
 }
 
 /// Seen along d, the face is wide enough for a ray to meet it where it should.
@@ -155,23 +285,12 @@ bool canBeAimedAt(const IndexedMesh& mesh, int f, const Vector3d& d) {
     return std::abs(e.cross(g).dot(d)) > thin * std::max(e.squaredNorm(), g.squaredNorm());
 }
 
-std::vector<int> facesMeeting(const IndexedMesh& half, const IndexedMesh& obstacle, const Vector3d& d) {
-    const Overhang over(obstacle, allFaces(obstacle), d);
+std::vector<int> facesMeeting(const IndexedMesh& half, const Overhang& over, const Vector3d& d) {
     const double touching = touchingDistance(half);
-    std::vector<char> meets(static_cast<std::size_t>(half.faceCount()), 0);
-    constexpr std::size_t grain = 4096;
-    parallelFor(meets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int f = static_cast<int>(i);
-            const Vector3d centre = (half.corner(f, 0) + half.corner(f, 1) + half.corner(f, 2)) / 3;
-            meets[i] = canBeAimedAt(half, f, d) && over.above(centre) > touching;
-        }
+    return facesThat(half, [&](int f) {
+        const Vector3d centre = (half.corner(f, 0) + half.corner(f, 1) + half.corner(f, 2)) / 3;
+        return canBeAimedAt(half, f, d) && over.above(centre) > touching;
     });
-    std::vector<int> meeting;
-    for (std::size_t i = 0; i < meets.size(); ++i)
-        if (meets[i] != 0)
-            meeting.push_back(static_cast<int>(i));
-    return meeting;
 }
 
 } // namespace
@@ -179,16 +298,18 @@ std::vector<int> facesMeeting(const IndexedMesh& half, const IndexedMesh& obstac
 HalfRelease examineRelease(const IndexedMesh& half, const IndexedMesh& other, const IndexedMesh& cast,
                            const Vector3d& d, double draftDegrees) {
     HalfRelease release;
+    const Obstacle inHalf(other, d);
+    const Obstacle inCavity(cast, d);
     release.sound = isSound(half);
-    release.stuckFaces = facesNotLeaving(half, other, cast, d, provableTolerance(draftDegrees));
-    release.sweptFaces = facesMeeting(half, cast, d);
-    const std::vector<int> meetingOther = facesMeeting(half, other, d);
+    release.stuckFaces = facesNotLeaving(half, {&inHalf, &inCavity}, d, provableTolerance(draftDegrees));
+    release.sweptFaces = facesMeeting(half, inCavity.over, d);
+    const std::vector<int> meetingOther = facesMeeting(half, inHalf.over, d);
     release.sweptFaces.insert(release.sweptFaces.end(), meetingOther.begin(), meetingOther.end());
     return release;
 }
 
 bool leavesOther(const IndexedMesh& half, const IndexedMesh& other, const Vector3d& d) {
-    return facesMeeting(half, other, d).empty();
+    return facesMeeting(half, Overhang(other, allFaces(other), d), d).empty();
 }
 
 } // namespace moldwright

@@ -22,20 +22,24 @@ class SteelMeasure {
 public:
     SteelMeasure(const std::vector<Hollow>& hollows, const Block& block, double furthest)
         : m_hollows(hollows), m_block(block), m_furthest(furthest) {
+        std::vector<const IndexedMesh*> meshes;
         for (const Hollow& hollow : hollows) {
-            if (!m_trees.contains(hollow.mesh.get()))
-                m_trees.emplace(hollow.mesh.get(), std::make_unique<ClosestPoint>(*hollow.mesh));
+            if (m_trees.try_emplace(hollow.mesh.get()).second)
+                meshes.push_back(hollow.mesh.get());
             m_boxes.push_back(boundingBox(*hollow.mesh).translated(shift(hollow)));
         }
+        parallelFor(meshes.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                m_trees.at(meshes[i]) = std::make_unique<ClosestPoint>(*meshes[i]);
+        });
     }
 
     std::vector<ThinSteel> measured() {
-        for (std::size_t i = 0; i < m_hollows.size(); ++i) {
-            if (!m_hollows[i].opensOutside)
-                towardsOutside(m_hollows[i]);
-            for (std::size_t j = i + 1; j < m_hollows.size(); ++j)
-                between(i, j);
-        }
+        for (const Hollow& hollow : m_hollows)
+            if (!hollow.opensOutside)
+                towardsOutside(hollow);
+        for (const auto& [apart, i, j] : pairsByBoxes())
+            between(i, j, apart);
         std::vector<ThinSteel> all;
         for (const auto& [names, steel] : m_thinnest)
             all.push_back(steel);
@@ -67,22 +71,44 @@ private:
             note(least.thickness, least.place, hollow.name, "outside");
     }
 
-    void between(std::size_t i, std::size_t j) {
+    /// Of their two names, or the furthest.
+    [[nodiscard]] double thinnestSoFar(const Hollow& a, const Hollow& b) const {
+        const auto known = m_thinnest.find(std::minmax(a.name, b.name));
+        return known == m_thinnest.end() ? m_furthest : std::min(m_furthest, known->second.thickness);
+    }
+
+    /// All pairs to be compared, those first whose boxes are nearest: most others need no second look then.
+    [[nodiscard]] std::vector<std::tuple<double, std::size_t, std::size_t>> pairsByBoxes() const {
+        std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+        for (std::size_t i = 0; i < m_hollows.size(); ++i)
+            for (std::size_t j = i + 1; j < m_hollows.size(); ++j) {
+                const Hollow& a = m_hollows[i];
+                const Hollow& b = m_hollows[j];
+                const bool joined = std::any_of(a.joints.begin(), a.joints.end(), [&](int joint) {
+                    return std::find(b.joints.begin(), b.joints.end(), joint) != b.joints.end();
+                });
+                const double apart = m_boxes[i].exteriorDistance(m_boxes[j]);
+                if (!joined && apart < m_furthest)
+                    pairs.emplace_back(apart, i, j);
+            }
+        std::sort(pairs.begin(), pairs.end());
+        return pairs;
+    }
+
+    void between(std::size_t i, std::size_t j, double apart) {
         const Hollow& a = m_hollows[i];
         const Hollow& b = m_hollows[j];
-        const bool joined = std::any_of(a.joints.begin(), a.joints.end(), [&](int joint) {
-            return std::find(b.joints.begin(), b.joints.end(), joint) != b.joints.end();
-        });
-        if (joined || m_boxes[i].exteriorDistance(m_boxes[j]) >= m_furthest)
+        ThinSteel least{thinnestSoFar(a, b), {}, {}, {}};
+        if (apart >= least.thickness)
             return;
         // Copies of the same two at the same distance have the same steel between them.
-        const Eigen::Vector2d apart = b.offset - a.offset;
-        if (!m_done.insert({a.mesh.get(), b.mesh.get(), apart.x(), apart.y()}).second)
+        const Eigen::Vector2d way = b.offset - a.offset;
+        if (!m_done.insert({a.mesh.get(), b.mesh.get(), way.x(), way.y()}).second)
             return;
-        ThinSteel least{m_furthest, {}, {}, {}};
+        const double before = least.thickness;
         fromPoints(a, b, m_boxes[j], least);
         fromPoints(b, a, m_boxes[i], least);
-        if (least.thickness < m_furthest)
+        if (least.thickness < before)
             note(least.thickness, least.place, a.name, b.name);
     }
 

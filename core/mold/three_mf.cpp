@@ -4,6 +4,8 @@
 // The flat C interface of lib3mf 1.8; the class interface of 2.x is not in Debian 12.
 #include <lib3mf/Model/COM/NMR_DLLInterfaces.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 
@@ -53,15 +55,34 @@ void placeOnPlate(PLib3MFModel* model, PLib3MFModelMeshObject* object, const Eig
     lib3mf_release(item);
 }
 
+/// What lib3mf writes, as it goes; asked for the size first it would do all of it twice.
+struct Bytes {
+    std::string bytes;
+    std::size_t at = 0;
+
+    static std::uint32_t write(const BYTE* data, std::uint32_t count, void* self) {
+        Bytes& into = *static_cast<Bytes*>(self);
+        into.bytes.resize(std::max(into.bytes.size(), into.at + count));
+        std::copy_n(reinterpret_cast<const char*>(data), count,
+                    into.bytes.begin() + static_cast<std::ptrdiff_t>(into.at));
+        into.at += count;
+        return 0;
+    }
+    static std::uint32_t seek(std::uint64_t position, void* self) {
+        static_cast<Bytes*>(self)->at = position;
+        return 0;
+    }
+};
+
 std::string written(PLib3MFModel* model) {
     PLib3MFModelWriter* writer = nullptr;
     require(lib3mf_model_querywriter(model, "3mf", &writer), "begin to write");
     const Handle owner(writer);
-    ULONG64 size = 0;
-    require(lib3mf_writer_getstreamsize(writer, &size), "measure the file");
-    std::string bytes(size, '\0');
-    require(lib3mf_writer_writetobuffer(writer, reinterpret_cast<BYTE*>(bytes.data()), size), "write");
-    return bytes;
+    Bytes into;
+    require(lib3mf_writer_writetocallback(writer, reinterpret_cast<void*>(&Bytes::write),
+                                          reinterpret_cast<void*>(&Bytes::seek), &into),
+            "write");
+    return std::move(into.bytes);
 }
 
 } // namespace

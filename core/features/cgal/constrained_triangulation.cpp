@@ -61,9 +61,11 @@ std::optional<Triangles> triangulateRegion(const std::vector<Eigen::Vector2d>& p
                                            const std::vector<std::array<int, 2>>& outlineSegments) try {
     Triangulation triangulation;
     std::vector<Triangulation::Vertex_handle> handles;
+    Triangulation::Face_handle near; // outlines come in order: the next point is beside the last
     for (const Eigen::Vector2d& p : points) {
-        const auto handle = triangulation.insert({p.x(), p.y()});
+        const auto handle = triangulation.insert({p.x(), p.y()}, near);
         handle->info() = static_cast<int>(handles.size());
+        near = handle->face();
         handles.push_back(handle);
     }
     if (triangulation.number_of_vertices() != points.size())
