@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Molds with several cavities, channels, keys and slits, on casts whose numbers are known by hand.
+#include "base/parallel.h"
 #include "features/drafted_prism.h"
 #include "mesh/check.h"
 #include "mesh/measures.h"
@@ -237,14 +238,21 @@ TEST(MoldFeatures, VentsNeedASpout) {
     EXPECT_EQ(mold.error().code, ErrorCode::Usage);
 }
 
-TEST(MoldFeatures, AreTheSameEachTime) {
+TEST(MoldFeatures, AreTheSameForAnyNumberOfThreads) {
     MoldSettings settings = everyFeature();
     settings.layout.columns = 2;
-    const Result<Mold> first = moldOf(sheared(ball(15, 4), 0.3, -0.1), settings);
-    const Result<Mold> second = moldOf(sheared(ball(15, 4), 0.3, -0.1), settings);
-    ASSERT_TRUE(first && second);
-    EXPECT_EQ(first->half1.mesh->V, second->half1.mesh->V);
-    EXPECT_EQ(first->half2.mesh->F, second->half2.mesh->F);
+    std::vector<Mold> molds;
+    for (const int threads : {1, 1, 2, 3}) {
+        setThreadCount(threads);
+        molds.push_back(moldOf(sheared(ball(15, 4), 0.3, -0.1), settings).value());
+    }
+    setThreadCount(0);
+    for (const Mold& mold : molds) {
+        EXPECT_EQ(molds[0].half1.mesh->V, mold.half1.mesh->V);
+        EXPECT_EQ(molds[0].half2.mesh->F, mold.half2.mesh->F);
+        EXPECT_EQ(molds[0].cast->F, mold.cast->F);
+        EXPECT_EQ(molds[0].minWallPlace, mold.minWallPlace);
+    }
 }
 
 TEST(Shrink, FormulasAreThoseOfTheTrade) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/release.h"
 
+#include "base/parallel.h"
+#include "mold/bolt_holes.h"
+#include "mold/half.h"
 #include "mold/mold.h"
 #include "support/casts.h"
 #include "support/shapes.h"
@@ -55,4 +58,33 @@ TEST(Release, NeedsASoundHalf) {
     EXPECT_FALSE(examineRelease(open, *mold.half2.mesh, *mold.cast, Vector3d::UnitZ(), 1).sound);
     const IndexedMesh two = together(*mold.half1.mesh, box({50, 50, 50}, {51, 51, 51}));
     EXPECT_FALSE(examineRelease(two, *mold.half2.mesh, *mold.cast, Vector3d::UnitZ(), 1).sound);
+}
+
+TEST(Release, OfAStraightHoleAsksForDraftOnlyWhereSomethingStandsInIt) {
+    const Block block(Vector3d(-20, -20, -10), Vector3d(20, 20, 10));
+    const PlanShape outline = planCircle({3, 4}, 2, 32);
+    HalfSurfaces surfaces;
+    surfaces.voids.push_back({std::make_shared<const IndexedMesh>(boltSurface(outline, block.max().z()))});
+    const IndexedMesh half = assembleHalf(1, surfaces, block).value();
+    const IndexedMesh other = box({-20, -20, -10}, {20, 20, 0});
+    const auto stuck = [&](const IndexedMesh& cast) {
+        return examineRelease(half, other, cast, Vector3d::UnitZ(), 1).stuckFaces.size();
+    };
+    EXPECT_EQ(stuck(box({-8, -8, -2}, {-6, -6, -1})), 0U);
+    EXPECT_EQ(stuck(boltSolid(outline, block)), 64U) << "a plug that fills it holds by friction";
+}
+
+TEST(Release, IsTheSameForAnyNumberOfThreads) {
+    const Mold mold = moldOf(frusta(20, 10, 5, 3, 0.01));
+    std::vector<HalfRelease> found;
+    for (const int threads : {1, 2, 3}) {
+        setThreadCount(threads);
+        found.push_back(examineRelease(*mold.half1.mesh, *mold.half2.mesh, *mold.cast,
+                                       Vector3d(0.3, 0, 1).normalized(), 1));
+    }
+    setThreadCount(0);
+    EXPECT_FALSE(found[0].stuckFaces.empty());
+    EXPECT_EQ(found[0].stuckFaces, found[1].stuckFaces);
+    EXPECT_EQ(found[0].stuckFaces, found[2].stuckFaces);
+    EXPECT_EQ(found[0].sweptFaces, found[1].sweptFaces);
 }
