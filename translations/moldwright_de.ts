@@ -855,6 +855,38 @@
         <source>Write all regions as JSON for the command line or another project.</source>
         <translation>Alle Regionen als JSON für die Befehlszeile oder ein anderes Projekt schreiben.</translation>
     </message>
+    <message>
+        <source>One s&amp;tep</source>
+        <translation>Ein S&amp;chritt</translation>
+    </message>
+    <message>
+        <source>Bend a paused shape by one step.</source>
+        <translation>Eine ruhende Form um einen Schritt weiter biegen.</translation>
+    </message>
+    <message>
+        <source>&amp;Earlier frame</source>
+        <translation>&amp;Früheres Bild</translation>
+    </message>
+    <message>
+        <source>Look at the frame before; a run pauses.</source>
+        <translation>Das Bild davor ansehen; ein Lauf ruht dabei.</translation>
+    </message>
+    <message>
+        <source>&amp;Later frame</source>
+        <translation>&amp;Späteres Bild</translation>
+    </message>
+    <message>
+        <source>Look at the frame after.</source>
+        <translation>Das Bild danach ansehen.</translation>
+    </message>
+    <message>
+        <source>Go on from &amp;here</source>
+        <translation>Von &amp;hier weiter</translation>
+    </message>
+    <message>
+        <source>Run anew from the shape, plane and settings of the frame in view.</source>
+        <translation>Neu laufen, von Form, Ebene und Vorgaben des gezeigten Bildes aus.</translation>
+    </message>
 </context>
 <context>
     <name>MessageDelegate</name>
@@ -1169,6 +1201,14 @@
     <message>
         <source>None</source>
         <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Step %1 of the last run</source>
+        <translation>Schritt %1 des letzten Laufs</translation>
+    </message>
+    <message>
+        <source>Step %1 in view</source>
+        <translation>Schritt %1 gezeigt</translation>
     </message>
 </context>
 <context>
@@ -3189,6 +3229,10 @@
         <source>A run cannot take this up while it goes on. The next run does.</source>
         <translation>Ein Lauf kann dies nicht übernehmen, während er läuft. Der nächste tut es.</translation>
     </message>
+    <message>
+        <source>Go on from step %1</source>
+        <translation>Von Schritt %1 weiter</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -3929,6 +3973,21 @@
     <message>
         <source>×32 or more</source>
         <translation>×32 oder mehr</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::FrameSlider</name>
+    <message>
+        <source>Frames of the run</source>
+        <translation>Bilder des Laufs</translation>
+    </message>
+    <message>
+        <source>Goes back through the run; &quot;Go on from here&quot; begins another run from the frame in view.</source>
+        <translation>Geht durch den Lauf zurück; „Von hier weiter“ beginnt beim gezeigten Bild einen neuen Lauf.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
     </message>
 </context>
 </TS>

@@ -855,6 +855,38 @@
         <source>Write all regions as JSON for the command line or another project.</source>
         <translation>把所有区域写成 JSON，供命令行或其他项目使用。</translation>
     </message>
+    <message>
+        <source>One s&amp;tep</source>
+        <translation>单步(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Bend a paused shape by one step.</source>
+        <translation>将暂停的形状再变形一步。</translation>
+    </message>
+    <message>
+        <source>&amp;Earlier frame</source>
+        <translation>前一帧(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Look at the frame before; a run pauses.</source>
+        <translation>查看前一帧；运行会暂停。</translation>
+    </message>
+    <message>
+        <source>&amp;Later frame</source>
+        <translation>后一帧(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Look at the frame after.</source>
+        <translation>查看后一帧。</translation>
+    </message>
+    <message>
+        <source>Go on from &amp;here</source>
+        <translation>从此处继续(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Run anew from the shape, plane and settings of the frame in view.</source>
+        <translation>从所示帧的形状、分型面和设置重新运行。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1432,6 +1464,14 @@
     <message>
         <source>None</source>
         <translation>无</translation>
+    </message>
+    <message>
+        <source>Step %1 of the last run</source>
+        <translation>上次运行的第 %1 步</translation>
+    </message>
+    <message>
+        <source>Step %1 in view</source>
+        <translation>显示第 %1 步</translation>
     </message>
 </context>
 <context>
@@ -3759,6 +3799,10 @@
         <source>A run cannot take this up while it goes on. The next run does.</source>
         <translation>运行中无法采用此更改，下次运行时生效。</translation>
     </message>
+    <message>
+        <source>Go on from step %1</source>
+        <translation>从第 %1 步继续</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -3929,6 +3973,21 @@
     <message>
         <source>×32 or more</source>
         <translation>×32 或以上</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::FrameSlider</name>
+    <message>
+        <source>Frames of the run</source>
+        <translation>运行的各帧</translation>
+    </message>
+    <message>
+        <source>Goes back through the run; &quot;Go on from here&quot; begins another run from the frame in view.</source>
+        <translation>在运行过程中回看；“从此处继续”从所示帧开始新的运行。</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
     </message>
 </context>
 </TS>

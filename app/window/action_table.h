@@ -33,6 +33,10 @@ enum class Needs {
     MoldBuilt,
     Running,
     Bending,
+    Resting,
+    EarlierFrame,
+    LaterFrame,
+    Branch, ///< a frame in view that another run can begin from
     Measured,
     Undo,
     Redo

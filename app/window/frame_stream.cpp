@@ -7,25 +7,31 @@
 
 namespace moldwright {
 
-void FrameStream::put(const DesignFrame& frame) {
-    // What the view needs is made here, so that the interface thread need not.
+ShownFrame shownFrame(const DesignFrame& frame) {
     ShownFrame shown{frame, scene::sketchedMesh(frame.shape), {}, {}, {}};
-    if (frame.shape) {
-        const bool sketched = shown.drawn->sketched();
-        const IndexedMesh& seen = sketched ? *shown.drawn->standIn->mesh : *frame.shape;
-        shown.analysis = frame.labels.empty() || sketched
-                             ? analyzeDraft(seen, frame.state, frame.settings.draftDegrees, false)
-                             : analyzeCast(seen, frame.labels, frame.state, frame.settings.draftDegrees);
-    }
-    const std::lock_guard lock(m_mutex);
-    m_newest = std::move(shown);
-    m_points.push_back({frame.step, frame.energy, frame.worstDraftDegrees, frame.violatingAreaFraction});
+    if (!frame.shape)
+        return shown;
+    const bool sketched = shown.drawn->sketched();
+    const IndexedMesh& seen = sketched ? *shown.drawn->standIn->mesh : *frame.shape;
+    const double draft = frame.settings.draftDegrees;
+    shown.analysis = frame.labels.empty() || sketched ? analyzeDraft(seen, frame.state, draft, false)
+                                                      : analyzeCast(seen, frame.labels, frame.state, draft);
+    return shown;
 }
 
-std::optional<ShownFrame> FrameStream::take(std::vector<ProgressPoint>& points) {
+void FrameStream::put(const DesignFrame& frame) {
+    // What the view needs is made here, so that the interface thread need not.
+    ShownFrame shown = shownFrame(frame);
     const std::lock_guard lock(m_mutex);
-    points = std::exchange(m_points, {});
-    return std::exchange(m_newest, std::nullopt);
+    m_waiting.newest = std::move(shown);
+    m_waiting.frames.push_back(frame);
+    m_waiting.points.push_back(
+        {frame.step, frame.energy, frame.worstDraftDegrees, frame.violatingAreaFraction});
+}
+
+TakenFrames FrameStream::take() {
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_waiting, {});
 }
 
 } // namespace moldwright

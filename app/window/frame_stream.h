@@ -22,21 +22,29 @@ struct ShownFrame {
     std::vector<Pin> pins = {}; ///< the document's, where they are in the shape; none where that is not known
 };
 
-/// Where a running design leaves its frames: a slot for the newest frame and a list of every step's numbers.
+/// Made ready to be shown.
+[[nodiscard]] ShownFrame shownFrame(const DesignFrame& frame);
+
+/// What a view takes from a run at a time.
+struct TakenFrames {
+    std::optional<ShownFrame> newest;  ///< not yet taken
+    std::vector<DesignFrame> frames;   ///< all since the last time
+    std::vector<ProgressPoint> points; ///< their numbers
+};
+
+/// Where a running design leaves its frames: a slot for the newest one, ready to be shown, and a list of all.
 /// The run writes on its thread, the view takes at display rate; what the view does not take in time is
-/// replaced.
+/// not made ready again.
 class FrameStream {
 public:
     /// Called by the run after every step.
     void put(const DesignFrame& frame);
 
-    /// The newest frame not yet taken, and the numbers of the steps since the last time.
-    [[nodiscard]] std::optional<ShownFrame> take(std::vector<ProgressPoint>& points);
+    [[nodiscard]] TakenFrames take();
 
 private:
     std::mutex m_mutex;
-    std::optional<ShownFrame> m_newest;
-    std::vector<ProgressPoint> m_points;
+    TakenFrames m_waiting;
 };
 
 } // namespace moldwright

@@ -1,33 +1,21 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/live_ranks.h"
 
-#include <utility>
-
 namespace moldwright {
 
 LiveRanks::LiveRanks(QObject* parent) : QObject(parent), m_thread(QStringLiteral("ranks")) {}
 
 LiveRanks::~LiveRanks() {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_waiting.reset();
-    }
+    (void)m_waiting.take();
 }
 
 void LiveRanks::ask(const RankRequest& request) {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_waiting = request;
-    }
+    m_waiting.put(request);
     m_thread.post([this] { work(); });
 }
 
 void LiveRanks::work() {
-    std::optional<RankRequest> request;
-    {
-        const std::lock_guard lock(m_mutex);
-        request = std::exchange(m_waiting, std::nullopt);
-    }
+    const std::optional<RankRequest> request = m_waiting.take();
     if (!request)
         return; // a newer one took the place of the one that woke this
     PinSuggestions ranked = *request->pins;

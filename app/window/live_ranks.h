@@ -4,13 +4,12 @@
 #include "castability/mold_state.h"
 #include "mesh/indexed_mesh.h"
 #include "pins/suggested_pins.h"
+#include "window/latest.h"
 #include "window/work_thread.h"
 
 #include <QObject>
 
 #include <memory>
-#include <mutex>
-#include <optional>
 
 namespace moldwright {
 
@@ -41,8 +40,7 @@ Q_SIGNALS:
 private:
     void work();
 
-    std::mutex m_mutex;
-    std::optional<RankRequest> m_waiting;
+    Latest<RankRequest> m_waiting;
     WorkThread m_thread;
 };
 

@@ -3,6 +3,7 @@
 
 #include "panels/banner.h"
 #include "panels/dock_title.h"
+#include "panels/frame_slider.h"
 #include "panels/message_list.h"
 #include "panels/progress_plots.h"
 #include "panels/project_tree.h"
@@ -136,6 +137,12 @@ void MainWindow::refresh() {
         m_plots->clear();
     while (m_plots->points().size() < m_bench.progress().size())
         m_plots->add(m_bench.progress()[m_plots->points().size()]);
+    std::vector<int> steps;
+    for (const DesignFrame& frame : m_bench.keptFrames())
+        steps.push_back(frame.step);
+    m_frames->setSteps(steps, m_bench.keptFrame());
+    m_frames->setEnabled(m_bench.editable());
+    m_plots->setMarked(m_bench.keptFrame() < 0 ? 0 : m_bench.frame()->frame.step);
     refreshViews();
     refreshHistory();
     refreshActions();
@@ -191,6 +198,12 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::MoldBuilt, idle && m_bench.moldIsCurrent());
     add(Needs::Running, m_bench.running());
     add(Needs::Bending, m_bench.bending());
+    const int newest = static_cast<int>(m_bench.keptFrames().size()) - 1;
+    const int frame = m_bench.keptFrame() < 0 ? newest : m_bench.keptFrame();
+    add(Needs::Resting, m_bench.resting());
+    add(Needs::EarlierFrame, editable && frame > 0);
+    add(Needs::LaterFrame, editable && frame < newest);
+    add(Needs::Branch, editable && m_bench.frame() && m_bench.frame()->frame.partPoints);
     add(Needs::Measured, !m_measure->measurement().empty());
     add(Needs::Undo, editable && history.canUndo());
     add(Needs::Redo, editable && history.canRedo());
@@ -201,7 +214,7 @@ void MainWindow::refreshActions() {
     const std::set<Needs> holds = given();
     m_actions.update([&](Needs needs) { return holds.contains(needs); });
     m_actions[u"run"_s]->setVisible(!m_bench.running());
-    for (const QString& id : {u"finish"_s, u"pause"_s, u"stop"_s})
+    for (const QString& id : {u"finish"_s, u"pause"_s, u"step-once"_s, u"stop"_s})
         m_actions[id]->setVisible(m_bench.running());
     QAction* pause = m_actions[u"pause"_s];
     if (const QString words = m_bench.resting() ? tr("&Go on") : tr("&Pause"); pause->text() != words) {

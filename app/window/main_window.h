@@ -27,6 +27,7 @@ class MeasureTool;
 class MessageList;
 class PaintTool;
 class PartView;
+class FrameSlider;
 class ProgressPlots;
 class ProjectModel;
 class ProjectTree;
@@ -108,6 +109,8 @@ private:
     void advise(const Advice& advice);
     void connectPanels();
     void askTurn();
+    /// Shows the kept frame before (−1) or after (1) that in view.
+    void showFrameBeside(int way);
     void showKeys();
     void showPreferences();
     void startTour();
@@ -219,6 +222,7 @@ private:
     ProjectTree* m_tree = nullptr;
     PropertyPanel* m_properties = nullptr;
     ProgressPlots* m_plots = nullptr;
+    FrameSlider* m_frames = nullptr;
     MessageList* m_messages = nullptr;
     QListWidget* m_history = nullptr;
     CommandSearch* m_search = nullptr;

@@ -44,6 +44,7 @@
 #include <QStatusBar>
 #include <QUrl>
 
+#include <algorithm>
 #include <array>
 
 namespace moldwright {
@@ -127,6 +128,13 @@ void MainWindow::connectDesignActions() {
     m_actions.on(u"finish"_s, [this] {
         m_view->setFocus();
         m_bench.finish();
+    });
+    m_actions.on(u"step-once"_s, [this] { m_bench.stepOnce(); });
+    m_actions.on(u"earlier-frame"_s, [this] { showFrameBeside(-1); });
+    m_actions.on(u"later-frame"_s, [this] { showFrameBeside(1); });
+    m_actions.on(u"branch"_s, [this] {
+        m_view->setFocus();
+        m_bench.goOnFromHere();
     });
     m_actions.on(u"pause"_s, [this] { m_bench.resting() ? m_bench.goOn() : m_bench.rest(); });
     m_actions.on(u"stop"_s, [this] {
@@ -256,6 +264,12 @@ void MainWindow::connectPanels() {
         if (row >= 0 && m_bench.editable())
             m_bench.document().goTo(static_cast<std::size_t>(row));
     });
+}
+
+void MainWindow::showFrameBeside(int way) {
+    const int newest = static_cast<int>(m_bench.keptFrames().size()) - 1;
+    const int now = m_bench.keptFrame() < 0 ? newest : m_bench.keptFrame();
+    m_bench.showKept(std::clamp(now + way, 0, newest));
 }
 
 void MainWindow::askTurn() {

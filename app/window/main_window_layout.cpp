@@ -5,6 +5,7 @@
 #include "panels/banner.h"
 #include "panels/command_search.h"
 #include "panels/dock_title.h"
+#include "panels/frame_slider.h"
 #include "panels/message_list.h"
 #include "panels/progress_plots.h"
 #include "panels/project_tree.h"
@@ -144,6 +145,14 @@ void MainWindow::buildDocks() {
     m_tree->setMinimumWidth(256);
     m_properties = new PropertyPanel(this);
     m_plots = new ProgressPlots(this);
+    auto* course = new QWidget(this);
+    auto* courseColumn = new QVBoxLayout(course);
+    courseColumn->setContentsMargins(0, 0, 0, 0);
+    courseColumn->setSpacing(0);
+    m_frames = new FrameSlider(course);
+    courseColumn->addWidget(m_plots, 1);
+    courseColumn->addWidget(m_frames);
+    connect(m_frames, &FrameSlider::chosen, &m_bench, &Workbench::showKept);
     m_messages = new MessageList(m_bench.messages(), this);
     m_history = new QListWidget(this);
     m_history->setFrameShape(QFrame::NoFrame);
@@ -153,7 +162,7 @@ void MainWindow::buildDocks() {
 
     auto* project = new Dock(u"dock-project"_s, tr("Project"), m_tree, this);
     auto* properties = new Dock(u"dock-properties"_s, tr("Properties"), m_properties, this);
-    auto* progress = new Dock(u"dock-progress"_s, tr("Progress"), m_plots, this);
+    auto* progress = new Dock(u"dock-progress"_s, tr("Progress"), course, this);
     auto* messages = new Dock(u"dock-messages"_s, tr("Messages"), m_messages, this);
     auto* history = new Dock(u"dock-history"_s, tr("History"), m_history, this);
     addDockWidget(Qt::LeftDockWidgetArea, project);

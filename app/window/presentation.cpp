@@ -65,6 +65,8 @@ StepState deformState(const Workbench& bench) {
         return {Standing::Running,
                 frame ? Words::tr("Running, step %1").arg(frame->frame.step) : Words::tr("Running")};
     }
+    if (bench.frame())
+        return {Standing::Info, Words::tr("Step %1 in view").arg(bench.frame()->frame.step)};
     if (!bench.obstructions().empty())
         return bench.obstructionsLeft() > 0 ? StepState{Standing::Failing, Words::tr("Obstructed")}
                                             : StepState{Standing::Todo, Words::tr("Ready to run")};
@@ -308,6 +310,8 @@ scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content) {
         words = !bench.frame()    ? Words::tr("Starting")
                 : bench.resting() ? Words::tr("Step %1, paused").arg(bench.frame()->frame.step)
                                   : Words::tr("Step %1, live").arg(bench.frame()->frame.step);
+    else if (bench.frame())
+        words = Words::tr("Step %1 of the last run").arg(bench.frame()->frame.step);
     else if (bench.castShown())
         words = Words::tr("Cast");
     else

@@ -196,7 +196,8 @@ PropertyPage deformPage(const Workbench& bench, const Actions& actions) {
     page.sections.push_back(
         {Words::tr("While it runs"), directionRows(),
          bench.running()
-             ? std::vector<QAction*>{actions[u"finish"_s], actions[u"pause"_s], actions[u"stop"_s]}
+             ? std::vector<QAction*>{actions[u"finish"_s], actions[u"pause"_s], actions[u"step-once"_s],
+                                     actions[u"branch"_s], actions[u"stop"_s]}
              : std::vector<QAction*>{actions[u"run"_s], actions[u"restore"_s], actions[u"find-undercuts"_s]},
          true});
     page.sections.push_back(

@@ -16,6 +16,12 @@ void RunControl::goOn() {
     m_change.notify_all();
 }
 
+void RunControl::stepOnce() {
+    const std::lock_guard lock(m_mutex);
+    m_stepOnce = m_resting;
+    m_change.notify_all();
+}
+
 void RunControl::finish() {
     const std::lock_guard lock(m_mutex);
     m_finish = true;
@@ -31,8 +37,9 @@ bool RunControl::resting() const {
 void RunControl::waitWhileResting(const Task& task) {
     std::unique_lock lock(m_mutex);
     // A task that is cancelled wakes nobody: it is asked now and then.
-    while (m_resting && !task.stopped())
+    while (m_resting && !m_stepOnce && !task.stopped())
         m_change.wait_for(lock, std::chrono::milliseconds(50));
+    m_stepOnce = false;
 }
 
 void RunControl::post(const LiveSettings& settings) {

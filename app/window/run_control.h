@@ -16,6 +16,8 @@ class RunControl {
 public:
     void rest();
     void goOn();
+    /// Lets a resting run do one step.
+    void stepOnce();
     /// Ends the bending where it is; a resting run goes on with the finish.
     void finish();
     [[nodiscard]] bool resting() const;
@@ -34,6 +36,7 @@ private:
     std::condition_variable m_change;
     bool m_resting = false;
     bool m_finish = false;
+    bool m_stepOnce = false;
     std::optional<LiveSettings> m_newest;
 };
 

@@ -30,6 +30,7 @@ bool stateWaits(const LiveSettings& told, const LiveSettings& heard) {
 Workbench::Workbench(QObject* parent) : QObject(parent) {
     connect(&m_document, &Document::changed, this, [this] {
         postLive();
+        forgetKept();
         askAnalysis();
         askPart();
         forgetOldMaps();
@@ -37,6 +38,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
         Q_EMIT changed();
     });
     connect(&m_ranks, &LiveRanks::answered, this, &Workbench::takeRanks);
+    connect(&m_liveFrames, &LiveFrames::answered, this, &Workbench::takeKept);
     connect(&m_document, &Document::historyChanged, this, &Workbench::changed);
     connect(&m_analysis, &LiveAnalysis::answered, this, [this](const auto& answer) {
         m_answer = answer;

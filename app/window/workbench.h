@@ -11,8 +11,9 @@
 #include "window/background.h"
 #include "window/display_mode.h"
 #include "window/document.h"
-#include "window/frame_stream.h"
+#include "window/frame_history.h"
 #include "window/live_analysis.h"
+#include "window/live_frames.h"
 #include "window/live_maps.h"
 #include "window/live_ranks.h"
 #include "window/mesh_figures.h"
@@ -105,8 +106,14 @@ public:
     /// Whether a run holds still.
     [[nodiscard]] bool resting() const { return running() && m_control->resting(); }
     /// Whether a run is at the stage that finish() ends.
-    [[nodiscard]] bool bending() const { return m_frame && m_frame->frame.stage == "deformation"; }
+    [[nodiscard]] bool bending() const {
+        return running() && m_frame && m_frame->frame.stage == "deformation";
+    }
     [[nodiscard]] const std::optional<ShownFrame>& frame() const { return m_frame; }
+    /// The frames kept of the run, or of the last one of this part, from its first to its newest.
+    [[nodiscard]] const std::vector<DesignFrame>& keptFrames() const { return m_kept.frames(); }
+    /// The one of them that was gone back to; −1: none, the newest is in view.
+    [[nodiscard]] int keptFrame() const { return m_kept.at(m_backTo); }
     /// The project as an edit of plane or directions is to find it: at the state in view.
     [[nodiscard]] Project projectInView() const;
     /// Where the document's pins are in the shape in view; empty where that is not known.
@@ -241,6 +248,12 @@ public:
     /// Holds the run's shape where it is; goOn() bends it further.
     void rest();
     void goOn();
+    /// Has a resting run do one step.
+    void stepOnce();
+    /// Shows one of the keptFrames(); a run rests meanwhile.
+    void showKept(int frame);
+    /// Begins another run from the shape and the settings of the frame in view, instead of one that goes on.
+    void goOnFromHere();
     /// Bends no further: the run finishes the shape from where it is, and proves it.
     void finish();
     /// Ends the job that runs. A run keeps what it reached, in one undo step; else all stays as it was.
@@ -278,6 +291,10 @@ private:
     void takeCast(const DesignResult& result, const Project& from);
     void takeLateCast(const DesignResult& result, const Project& from);
     void postLive();
+    void startRun(const std::shared_ptr<const Points>& start);
+    void showNewest();
+    void takeKept(int step, const ShownFrame& frame);
+    void forgetKept();
     void placePins();
     void makePicker();
     [[nodiscard]] Eigen::Vector3d inPart(const Eigen::Vector3d& inView) const;
@@ -322,8 +339,13 @@ private:
     std::shared_ptr<RunControl> m_control;
     QTimer m_frameTimer;
     std::optional<ShownFrame> m_frame;
-    Project m_runFrom;     ///< what the run began with
-    LiveSettings m_posted; ///< what it was told last
+    FrameHistory m_kept;
+    SharedMesh m_keptPart;
+    int m_backTo = 0; ///< the step of the kept frame gone back to; 0: none
+    LiveFrames m_liveFrames;
+    std::optional<DesignFrame> m_branch; ///< where the next run begins once this one has ended
+    Project m_runFrom;                   ///< what the run began with
+    LiveSettings m_posted;               ///< what it was told last
     bool m_picking = false;
     bool m_toldOfLate = false; ///< that something waits for the next run
     std::vector<ProgressPoint> m_progress;

@@ -93,17 +93,25 @@ void Workbench::findBestDirections() {
 }
 
 void Workbench::run() {
+    startRun(nullptr);
+}
+
+void Workbench::startRun(const std::shared_ptr<const Points>& start) {
     const Project from = m_document.committed();
     m_stream = std::make_shared<FrameStream>();
     m_control = std::make_shared<RunControl>();
     m_progress.clear();
     m_frame.reset();
+    m_kept.clear();
+    m_keptPart = from.part;
+    m_backTo = 0;
     m_runFrom = from;
     m_posted = liveSettings(from);
     m_toldOfLate = false;
     m_frameTimer.start();
     const auto work = [=, this, stream = m_stream, control = m_control](const Task& task) {
         DesignRequest request = designRequest(from);
+        request.start = start;
         request.keepUnfinished = true;
         request.finishNow = [control] { return control->takeFinish(); };
         request.newest = [control] { return control->takeNewest(); };
@@ -129,6 +137,7 @@ void Workbench::rest() {
 }
 
 void Workbench::goOn() {
+    showNewest();
     m_control->goOn();
     Q_EMIT changed();
 }
@@ -139,14 +148,19 @@ void Workbench::finish() {
 }
 
 void Workbench::pullFrames() {
-    std::vector<ProgressPoint> points;
-    std::optional<ShownFrame> newest = m_stream ? m_stream->take(points) : std::nullopt;
-    m_progress.insert(m_progress.end(), points.begin(), points.end());
-    if (!newest)
+    if (!m_stream)
         return;
-    m_frame = std::move(newest);
-    placePins();
-    makePicker();
+    TakenFrames taken = m_stream->take();
+    m_progress.insert(m_progress.end(), taken.points.begin(), taken.points.end());
+    for (const DesignFrame& frame : taken.frames)
+        m_kept.add(frame);
+    if (!taken.newest)
+        return;
+    if (m_backTo == 0) {
+        m_frame = std::move(taken.newest);
+        placePins();
+        makePicker();
+    }
     Q_EMIT changed();
 }
 

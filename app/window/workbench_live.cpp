@@ -4,6 +4,9 @@
 
 #include "design/carried_pins.h"
 #include "project/design_request.h"
+#include "project/edits.h"
+
+#include <utility>
 
 namespace moldwright {
 
@@ -60,6 +63,59 @@ void Workbench::setPicking(bool picking) {
 void Workbench::makePicker() {
     if (m_picking && m_frame && !m_frame->picker && m_frame->frame.shape)
         m_frame->picker = std::make_shared<const scene::SurfacePicker>(m_frame->frame.shape);
+}
+
+void Workbench::stepOnce() {
+    showNewest();
+    m_control->stepOnce();
+}
+
+void Workbench::showNewest() {
+    if (m_backTo != 0)
+        showKept(static_cast<int>(m_kept.frames().size()) - 1);
+}
+
+void Workbench::showKept(int frame) {
+    if (running() && !resting())
+        m_control->rest();
+    const DesignFrame& kept = m_kept.frames().at(static_cast<std::size_t>(frame));
+    const bool newest = running() && kept.step == m_kept.frames().back().step;
+    m_backTo = newest ? 0 : kept.step;
+    m_liveFrames.ask(kept.step, kept);
+    Q_EMIT changed();
+}
+
+void Workbench::takeKept(int step, const ShownFrame& frame) {
+    // A run that went on, or an edit, may have left the frames meanwhile.
+    const int shown = m_backTo == 0 && resting() ? m_kept.frames().back().step : m_backTo;
+    if (step != shown)
+        return;
+    m_frame = frame;
+    placePins();
+    makePicker();
+    Q_EMIT changed();
+}
+
+void Workbench::forgetKept() {
+    if (project().part != m_keptPart)
+        m_kept.clear();
+    if (running() || m_backTo == 0)
+        return;
+    m_backTo = 0;
+    m_frame.reset();
+}
+
+void Workbench::goOnFromHere() {
+    if (!m_branch)
+        m_branch = m_frame->frame;
+    if (running()) {
+        m_background.cancel(); // takeResult() comes back here
+        return;
+    }
+    const DesignFrame from = *std::exchange(m_branch, std::nullopt);
+    const Project at = withLiveSettings(m_document.committed(), from.settings);
+    m_document.edit(tr("Go on from step %1").arg(from.step), withState(at, from.state, true));
+    startRun(from.partPoints);
 }
 
 Eigen::Vector3d Workbench::inPart(const Eigen::Vector3d& inView) const {

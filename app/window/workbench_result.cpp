@@ -36,7 +36,13 @@ void Workbench::takeResult(const Result<DesignResult>& result, const Project& fr
     pullFrames();
     m_frameTimer.stop();
     m_stream.reset();
+    if (m_branch) {
+        // The Background is busy until this returns.
+        QMetaObject::invokeMethod(this, &Workbench::goOnFromHere, Qt::QueuedConnection);
+        return;
+    }
     m_frame.reset();
+    m_backTo = 0;
     if (!result) {
         complain(result.error(), tr("Deforming"));
         Q_EMIT changed();

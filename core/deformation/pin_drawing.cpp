@@ -126,10 +126,14 @@ private:
 
 } // namespace
 
-Positions drawnIntoPlane(const BodyShape& body, const std::vector<int>& points, const Task& task) {
+Positions drawnIntoPlane(const BodyShape& body, const std::vector<int>& points, const Task& task,
+                         const std::function<void(const Positions&)>& seen) {
     Drawing drawing(body, points);
-    for (int step = 1; step <= kSteps && !task.stopped(); ++step)
+    for (int step = 1; step <= kSteps && !task.stopped(); ++step) {
         drawing.step(1 - static_cast<double>(step) / kSteps, kIterations, task);
+        if (seen)
+            seen(drawing.positions());
+    }
     drawing.step(0, kLastIterations, task);
     return drawing.positions();
 }

@@ -4,14 +4,16 @@
 #include "base/task.h"
 #include "deformation/elastic_body.h"
 
+#include <functional>
 #include <vector>
 
 namespace moldwright {
 
 /// The body (the plane's frame) bent as a whole, as rigid as possible, so that all `points` have z = 0: they
-/// come down together in small steps, and limbs follow as they would if they were held there. Stopped, it
-/// returns the last step's positions.
+/// come down together in small steps, and limbs follow as they would if they were held there. `seen` is given
+/// the positions after each step. Stopped, it returns the last step's positions.
 [[nodiscard]] Positions drawnIntoPlane(const BodyShape& body, const std::vector<int>& points,
-                                       const Task& task);
+                                       const Task& task,
+                                       const std::function<void(const Positions&)>& seen = {});
 
 } // namespace moldwright

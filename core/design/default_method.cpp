@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "design/default_method.h"
 
+#include "deformation/pin_drawing.h"
 #include "design/attempt.h"
+#include "design/carried_pins.h"
 #include "design/given_up.h"
 #include "design/mold_states.h"
-#include "design/paper_method.h"
 #include "design/pinned_planes.h"
 #include "design/remedies.h"
 #include "design/stopwatch.h"
+#include "design/working_body.h"
 #include "mesh/check.h"
 #include "mesh/measures.h"
 
@@ -237,22 +239,34 @@ Error drawnThroughItself(const IndexedMesh& part, int face) {
             {place}};
 }
 
+Result<WorkingBody> bodyWithPins(const MoldState& state, DesignRun& run) {
+    const DesignRequest& request = run.request();
+    const Stopwatch watch(run.seconds(), "tetrahedralize");
+    return workingBody(*run.start(), state, carriedPins(request.pins, *request.part, *run.start()),
+                       request.faceWeights, run.task());
+}
+
 /// Pins first bend the whole part, unsplit, until they lie in the plane; what they make meet lies side by
 /// side: [Stein 2019], Section 6.1.
 Result<PinnedShape> pinned(const MoldState& state, DesignRun& run) {
-    Result<Elastoplastic> solver = elastoplasticAt(state, run);
-    if (!solver)
-        return std::unexpected(solver.error());
+    const Result<WorkingBody> body = bodyWithPins(state, run);
+    if (!body)
+        return std::unexpected(body.error());
     const Stopwatch watch(run.seconds(), "elastoplastic");
-    solver->drawPins(run.task());
-    const auto shape = std::make_shared<const IndexedMesh>(solver->shape());
-    showStep("pins", *solver, run);
-    (void)run.hear(false);
+    const auto before = std::make_shared<const Points>(run.request().part->V);
+    const auto seen = [&](const Positions& X) {
+        const IndexedMesh shape = body->surfaceAt(X);
+        run.setReached(shape, state);
+        run.show({"pins", shape, {}, state, before});
+        (void)run.hear(false);
+    };
+    const Positions drawn = drawnIntoPlane(body->shape, body->pinned, run.task(), seen);
     if (run.stopped())
         return DesignRun::cancelled();
+    const auto shape = std::make_shared<const IndexedMesh>(body->surfaceAt(drawn));
     if (const auto crossing = selfIntersections(*shape); !crossing.empty())
         return std::unexpected(drawnThroughItself(*run.request().part, crossing.front().first));
-    return PinnedShape{shape, solver->pins()};
+    return PinnedShape{shape, body->pinsAt(drawn)};
 }
 
 /// Bends a part, whose pins lie in the plane already, at the request's plane or the best ones.

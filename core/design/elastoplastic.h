@@ -6,10 +6,9 @@
 #include "deformation/local_global.h"
 #include "design/design.h"
 #include "design/placed_pin.h"
-#include "design/working_frame.h"
+#include "design/working_body.h"
 
-#include <functional>
-#include <memory>
+#include <vector>
 
 namespace moldwright {
 
@@ -23,24 +22,20 @@ struct ElastoplasticSettings {
 };
 
 /// The paper's elastoplastic deformation as a thing that steps: each step optimises the directions, runs
-/// local-global iterations with castability enforced, and restarts plastically. Pins and importance may
-/// change between steps. Nothing is split: sides are by the faces' points, faces that cross the plane are
+/// local-global iterations with castability enforced, and restarts plastically. Importance may change
+/// between steps. Nothing is split: sides are by the faces' points, faces that cross the plane are
 /// left alone.
 class Elastoplastic {
 public:
-    /// Fills the part with tetrahedra. `pins` that lie inside, not just below the surface, become points of
-    /// them. Errors: Worker, Cancelled.
-    [[nodiscard]] static Result<Elastoplastic> create(SharedMesh part, const MoldState& state,
+    /// Fills the part with tetrahedra. `pins` (part frame, undeformed) are points of them that may move only
+    /// in the plane. `faceWeights`: importance per face of the part; empty: all 1. Errors: Worker, Cancelled.
+    [[nodiscard]] static Result<Elastoplastic> create(const IndexedMesh& part, const MoldState& state,
                                                       const ElastoplasticSettings& settings, const Task& task,
-                                                      const std::vector<Pin>& pins = {});
+                                                      const std::vector<Pin>& pins = {},
+                                                      const std::vector<double>& faceWeights = {});
 
-    /// Points of the part that may move only in the plane (part frame, undeformed): the nearest one to each
-    /// pin.
-    void setPins(const std::vector<Pin>& pins);
-    /// Where those of setPins() are now, part frame, one a pin.
-    [[nodiscard]] std::vector<PlacedPin> pins() const;
-    /// Bends the part as a whole until the pins of setPins() lie in the plane, and takes that for its shape.
-    void drawPins(const Task& task);
+    /// Where the pins are now, part frame, one a pin.
+    [[nodiscard]] std::vector<PlacedPin> pins() const { return m_body.pinsAt(m_solver.positions()); }
     /// Other settings and directions, from the next step on.
     void change(const ElastoplasticSettings& settings, const Directions& directions);
     /// Importance per face of the part; empty: all 1.
@@ -50,23 +45,19 @@ public:
     void step(const Task& task);
 
     /// The shape now, part frame; faces as in the part.
-    [[nodiscard]] IndexedMesh shape() const;
+    [[nodiscard]] IndexedMesh shape() const { return m_body.surfaceAt(m_solver.positions()); }
     [[nodiscard]] const MoldState& state() const { return m_state; }
     [[nodiscard]] int steps() const { return m_steps; }
     [[nodiscard]] int iterations() const { return m_iterations; }
     [[nodiscard]] int tets() const { return static_cast<int>(m_solver.shape().T.rows()); }
 
 private:
-    Elastoplastic(SharedMesh part, const MoldState& state, const ElastoplasticSettings& settings,
-                  WorkingFrame frame, BodyShape body);
+    Elastoplastic(WorkingBody body, const MoldState& state, const ElastoplasticSettings& settings);
     [[nodiscard]] SideLabels sides() const;
 
-    SharedMesh m_part;
+    WorkingBody m_body;
     MoldState m_state;
     ElastoplasticSettings m_settings;
-    WorkingFrame m_frame;
-    Points m_undeformed;       ///< working frame
-    std::vector<int> m_pinned; ///< the point that each pin holds
     LocalGlobal m_solver;
     int m_steps = 0;
     int m_iterations = 0;

@@ -5,6 +5,7 @@
 #include "castability/plane_search.h"
 #include "design/carried_pins.h"
 #include "design/comparison.h"
+#include "design/elastoplastic.h"
 #include "design/stopwatch.h"
 
 #include <cmath>
@@ -37,6 +38,35 @@ ElastoplasticSettings settingsOf(const LiveSettings& live) {
     return settings;
 }
 
+Result<Elastoplastic> elastoplasticAt(const MoldState& state, DesignRun& run) {
+    const DesignRequest& request = run.request();
+    const std::vector<Pin> pins = carriedPins(request.pins, *request.part, *run.start());
+    const Stopwatch watch(run.seconds(), "tetrahedralize");
+    return Elastoplastic::create(*run.start(), state, settingsOf(request), run.task(), pins,
+                                 request.faceWeights);
+}
+
+/// Has the deformation take what the designer changed since the last step, or ends the leg: see
+/// DesignRun::hear(). Returns whether it took anything.
+bool hearChanges(Elastoplastic& solver, DesignRun& run) {
+    if (!run.hear(true))
+        return false;
+    const LiveSettings& now = run.request();
+    solver.change(settingsOf(now), run.directionsFor(solver.shape(), solver.state().plane));
+    solver.setFaceWeights(now.faceWeights);
+    return true;
+}
+
+void showStep(const Elastoplastic& solver, DesignRun& run) {
+    IndexedMesh shape = solver.shape();
+    run.setReached(shape, solver.state());
+    run.show({"deformation",
+              std::move(shape),
+              {},
+              solver.state(),
+              std::make_shared<const Points>(run.request().part->V)});
+}
+
 /// Runs until the violating area stalls: it falls by less than a thousandth of itself in five steps.
 void plasticSteps(Elastoplastic& solver, DesignRun& run) {
     const DesignRequest& request = run.request();
@@ -51,7 +81,7 @@ void plasticSteps(Elastoplastic& solver, DesignRun& run) {
         run.task().progress(0.1 + 0.8 * step / kPlasticSteps, "deformation");
         const DraftAnalysis analysis =
             analyzeDraft(solver.shape(), solver.state(), request.draftDegrees, false);
-        showStep("deformation", solver, run);
+        showStep(solver, run);
         if (hearChanges(solver, run)) {
             history.clear();
             step = 0;
@@ -102,36 +132,6 @@ DesignResult judged(const Elastoplastic& solver, DesignRun& run) {
 }
 
 } // namespace
-
-Result<Elastoplastic> elastoplasticAt(const MoldState& state, DesignRun& run) {
-    const DesignRequest& request = run.request();
-    const std::vector<Pin> pins = carriedPins(request.pins, *request.part, *run.start());
-    const Stopwatch watch(run.seconds(), "tetrahedralize");
-    Result<Elastoplastic> solver =
-        Elastoplastic::create(run.start(), state, settingsOf(request), run.task(), pins);
-    if (!solver)
-        return solver;
-    solver->setPins(pins);
-    if (!request.faceWeights.empty())
-        solver->setFaceWeights(request.faceWeights);
-    return solver;
-}
-
-bool hearChanges(Elastoplastic& solver, DesignRun& run) {
-    if (!run.hear(true))
-        return false;
-    const LiveSettings& now = run.request();
-    solver.change(settingsOf(now), run.directionsFor(solver.shape(), solver.state().plane));
-    solver.setFaceWeights(now.faceWeights);
-    return true;
-}
-
-void showStep(const char* stage, const Elastoplastic& solver, DesignRun& run) {
-    IndexedMesh shape = solver.shape();
-    run.setReached(shape, solver.state());
-    run.show(
-        {stage, std::move(shape), {}, solver.state(), std::make_shared<const Points>(run.request().part->V)});
-}
 
 Result<DesignResult> designAsPublished(DesignRun& run) {
     const Result<MoldState> state = stateFor(run);

@@ -25,7 +25,7 @@ static void firstStep(benchmark::State& state) {
     settings.optimizeDirections = false;
     Best best(state);
     for (auto _ : state) {
-        Result<Elastoplastic> solver = Elastoplastic::create(subject.part, subject.state, settings, {});
+        Result<Elastoplastic> solver = Elastoplastic::create(*subject.part, subject.state, settings, {});
         if (!solver) {
             state.SkipWithError(solver.error().english().c_str());
             break;

@@ -86,8 +86,18 @@ void ProgressPlots::setRequiredDraft(double degrees) {
     update();
 }
 
+void ProgressPlots::setMarked(int step) {
+    m_marked = step;
+    update();
+}
+
+const ProgressPoint& ProgressPlots::told() const {
+    const auto marked = std::ranges::find(m_points, m_marked, &ProgressPoint::step);
+    return marked == m_points.end() ? m_points.back() : *marked;
+}
+
 std::vector<ProgressPlots::Plot> ProgressPlots::plots() const {
-    const ProgressPoint& last = m_points.back();
+    const ProgressPoint& last = told();
     std::vector<Plot> all(3);
     all[0] = {tr("Energy"), scientificText(last.energy), true, std::nullopt, {}, {}};
     all[1] = {tr("Worst draft"),
@@ -181,7 +191,12 @@ void ProgressPlots::paintPlot(QPainter& painter, const Plot& plot, const QRect& 
     painter.drawPolyline(line);
     painter.setBrush(palette.color(QPalette::Link));
     painter.setPen(Qt::NoPen);
-    painter.drawEllipse(line.back(), 3, 3);
+    const auto at = static_cast<qsizetype>(&told() - m_points.data());
+    painter.drawEllipse(line[at], 3, 3);
+    if (m_marked > 0) {
+        painter.setPen(QPen(palette.color(QPalette::Link), 1));
+        painter.drawLine(QPointF(line[at].x(), field.top()), QPointF(line[at].x(), field.bottom()));
+    }
     painter.setBrush(Qt::NoBrush);
 }
 

@@ -28,6 +28,8 @@ public:
     void clear();
     void add(const ProgressPoint& point);
     void setRequiredDraft(double degrees);
+    /// The step in view, marked by a line; 0: none.
+    void setMarked(int step);
     [[nodiscard]] const std::vector<ProgressPoint>& points() const { return m_points; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {360, 104}; }
 
@@ -36,11 +38,14 @@ protected:
 
 private:
     struct Plot;
+    /// The marked point, else the last. Precondition: there is one.
+    [[nodiscard]] const ProgressPoint& told() const;
     [[nodiscard]] std::vector<Plot> plots() const;
     void paintPlot(QPainter& painter, const Plot& plot, const QRect& box) const;
 
     std::vector<ProgressPoint> m_points;
     double m_requiredDraft = 1;
+    int m_marked = 0;
 };
 
 } // namespace moldwright

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "window/frame_stream.h"
+#include "window/latest.h"
+#include "window/work_thread.h"
+
+#include <QObject>
+
+namespace moldwright {
+
+/// Makes frames that are gone back to ready to be shown, on a thread of its own. Only the newest request
+/// waits.
+class LiveFrames : public QObject {
+    Q_OBJECT
+public:
+    explicit LiveFrames(QObject* parent = nullptr);
+    ~LiveFrames() override;
+
+    /// `number` tells the answer apart from those to earlier requests.
+    void ask(int number, const DesignFrame& frame);
+
+Q_SIGNALS:
+    void answered(int number, const moldwright::ShownFrame& frame);
+
+private:
+    void work();
+
+    struct Request {
+        int number;
+        DesignFrame frame;
+    };
+    Latest<Request> m_waiting;
+    WorkThread m_thread;
+};
+
+} // namespace moldwright
