@@ -965,6 +965,14 @@
         <source>Only {0} of {1} ejector pins find a place in half {2}: a pin of {3} mm needs ground that is flat within 35°, away from the parting line and the gate. Ask for fewer or thinner pins, or the other half.</source>
         <translation>Nur {0} von {1} Auswerferstiften finden in Hälfte {2} Platz: Ein Stift von {3} mm braucht Grund, der auf 35° eben ist, fern von Trennlinie und Anschnitt. Verlangen Sie weniger oder dünnere Stifte, oder die andere Hälfte.</translation>
     </message>
+    <message>
+        <source>A spout through half 1 finds no place: its neck of {0} mm has no room on the cavity there. Take a thinner neck, or let the mold stand.</source>
+        <translation>Ein Einguss durch Hälfte 1 findet keinen Platz: Sein Hals von {0} mm passt dort nicht auf den Hohlraum. Nehmen Sie einen dünneren Hals, oder lassen Sie die Form stehen.</translation>
+    </message>
+    <message>
+        <source>No block of the stock is large enough: the longest has {0} mm.</source>
+        <translation>Kein Block des Vorrats ist groß genug: Der längste misst {0} mm.</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>

@@ -1145,6 +1145,14 @@
         <source>Only {0} of {1} ejector pins find a place in half {2}: a pin of {3} mm needs ground that is flat within 35°, away from the parting line and the gate. Ask for fewer or thinner pins, or the other half.</source>
         <translation>{1} 根顶针中只有 {0} 根能在半模 {2} 中找到位置：直径 {3} mm 的顶针需要 35° 以内的平坦面，并远离分型线和浇口。请减少数量、改用更细的顶针，或换另一半模。</translation>
     </message>
+    <message>
+        <source>A spout through half 1 finds no place: its neck of {0} mm has no room on the cavity there. Take a thinner neck, or let the mold stand.</source>
+        <translation>穿过半模 1 的浇口找不到位置：直径 {0} mm 的颈部在型腔上没有空间。请使用更细的颈部，或让模具立放。</translation>
+    </message>
+    <message>
+        <source>No block of the stock is large enough: the longest has {0} mm.</source>
+        <translation>库存中没有足够大的模坯：最长的只有 {0} mm。</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>

@@ -44,6 +44,11 @@ Result<MoldSettings> withMaterial(MoldSettings settings, const std::string& name
     settings.density = material->density.value;
     notes.push_back(material->name + ": " + cited("shrink", material->shrinkPercent, " %") + ", " +
                     cited("density", material->density, " g/cm³") + ".");
+    if (material->ventDepth)
+        notes.push_back("Vents of an injection mold for it: " + cited("depth", *material->ventDepth, " mm") +
+                        ".");
+    if (!material->preparation.empty())
+        notes.push_back("Preparation for " + material->name + ": " + material->preparation);
     if (material->draftDegrees.value > draftDegrees)
         notes.push_back("The cast was designed with " + readable(draftDegrees) + "° of draft; " +
                         material->name + " usually asks for " +

@@ -44,6 +44,11 @@ void MoldOptions::declareBlock(CLI::App& app) {
     app.add_option("--size-step", step, "Block sizes round up to a multiple of this, mm; 0: not rounded")
         ->type_name("MM")
         ->check(CLI::NonNegativeNumber.description(""));
+    app.add_option("--stock", stock, "Lengths and widths of blocks that are to be had; comma between")
+        ->type_name("MM,...")
+        ->delimiter(',')
+        ->check(CLI::PositiveNumber.description(""));
+    length(app, "--hollow", hollow, "Cast hollow with a wall of this: its volume and mass are told");
     length(app, "--least-steel", leastSteel, "Kept between features that are placed automatically");
     app.add_option("--pressure", pressure, "In the cavity while it fills, for the clamp force")
         ->type_name("BAR")
@@ -76,8 +81,12 @@ void MoldOptions::declareLayout(CLI::App& app) {
 }
 
 void MoldOptions::declareChannels(CLI::App& app) {
-    app.add_option("--spout", spout, "A spout in the parting plane, with runners to all cavities")
-        ->check(CLI::IsMember({"auto", "none"}));
+    app.add_option(
+           "--spout", spout,
+           "In the parting plane, with runners to all cavities (auto, parting), or one through half 1 into "
+           "each cavity of a mold that lies flat (through)")
+        ->check(CLI::IsMember({"auto", "parting", "through", "none"}));
+    length(app, "--neck", neck, "Width at which a spout through a half breaks off");
     app.add_option("--pour", pour, "Which way is up while filling, as a turn of the cast in degrees")
         ->check(CLI::IsMember({"auto", "0", "90", "180", "270"}));
     length(app, "--spout-diameter", spoutDiameter, "Width of spout and main runner");
@@ -145,6 +154,9 @@ void MoldOptions::applyBlock(MoldSettings& settings) const {
     take(settings.step, step);
     take(settings.pressure, pressure);
     take(settings.leastSteel, leastSteel);
+    take(settings.hollow.wall, hollow);
+    if (!stock.empty())
+        settings.stock = stock;
     take(settings.density, density);
     take(settings.blockDensity, blockDensity);
 }
@@ -203,7 +215,9 @@ Result<void> MoldOptions::applyChannels(MoldSettings& settings) const {
                                                                {"180", PourDirection::Turn180},
                                                                {"270", PourDirection::Turn270}};
     if (!spout.empty())
-        settings.spout.on = spout == "auto";
+        settings.spout.on = spout != "none";
+    if (spout == "parting" || spout == "through")
+        settings.spout.resting = spout == "through" ? Resting::Lying : Resting::Standing;
     if (!pour.empty())
         settings.spout.pour = pours.at(pour);
     if (spoutDiameter) {
@@ -215,6 +229,7 @@ Result<void> MoldOptions::applyChannels(MoldSettings& settings) const {
     take(settings.spout.funnel, funnel);
     take(settings.spout.gate, gate);
     take(settings.spout.draft, spoutDraft);
+    take(settings.spout.neck, neck);
     if (!vents.empty())
         settings.vents.on = vents == "auto";
     take(settings.vents.diameter, ventDiameter);

@@ -36,6 +36,8 @@ private:
     void applyHoles(MoldSettings& settings) const;
 
     std::optional<double> wall, side, floor, ceiling, step, pressure, leastSteel, density, blockDensity;
+    std::optional<double> hollow, neck;
+    std::vector<double> stock;
     std::string cavities, arrangement, alternate;
     std::optional<double> spacing;
     std::vector<double> shrink, shrinkOrigin;

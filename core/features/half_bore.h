@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace moldwright {
@@ -18,9 +19,12 @@ struct HalfBore {
         double height = 0; ///< mm from the parting plane, ascending; the first lies inside the cast
         double radius = 0; ///< mm
     };
+    std::string name; ///< "Ejector hole" or "Spout"
     int side = 1;
     Eigen::Vector2d axis = Eigen::Vector2d::Zero(); ///< where its axis meets the parting plane, mm
     std::vector<Station> stations;
+    double flare = 0; ///< how much wider the last section is than the one before, mm per mm of height
+    double tip = 0;   ///< mm: height of the cavity over the plane at its axis
 
     /// Where the axis is at a height over the plane, mm; d: the half's removal direction, unit.
     [[nodiscard]] Eigen::Vector3d at(double height, const Eigen::Vector3d& d) const;

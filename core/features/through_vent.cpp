@@ -33,12 +33,21 @@ std::optional<double> narrowing(int side, const Vector3d& d, double draft) {
 class InsideSide {
 public:
     InsideSide(const IndexedMesh& cast, const SideLabels& labels, int side, const Vector3d& d)
-        : m_side(side), m_over(cast, facesOf(labels, side), d) {}
+        : m_side(side), m_along(std::abs(d.z())), m_over(cast, facesOf(labels, side), d) {}
 
     [[nodiscard]] bool holds(const PlanShape& shape, double height, double margin) const {
         const double z = m_side == 1 ? height : -height;
         return std::all_of(shape.begin(), shape.end(),
                            [&](const Vector2d& p) { return m_over.above({p.x(), p.y(), z}) > margin; });
+    }
+
+    /// The cast's highest point over a circle and its centre, mm.
+    [[nodiscard]] double highest(PlanShape circle, const Vector2d& centre, double height) const {
+        circle.push_back(centre);
+        double most = 0;
+        for (const Vector2d& p : circle)
+            most = std::max(most, height + m_over.above({p.x(), p.y(), height}) * m_along);
+        return most;
     }
 
 private:
@@ -50,8 +59,18 @@ private:
         return faces;
     }
     int m_side;
+    double m_along; ///< height won along the direction
     Overhang m_over;
 };
+
+/// Ways from a high point to where a vent's foot has room: down again, or any way where that is into the
+/// half.
+std::vector<Vector2d> waysFrom(const Vector3d& up) {
+    if (up.z() == 0)
+        return {-up.head<2>().normalized()};
+    constexpr int ways = 8;
+    return planCircle(Vector2d::Zero(), 1, ways);
+}
 
 std::optional<ThroughVent> ventAt(const Vector2d& centre, double foot, int side, const Vector3d& d,
                                   double radius, const ThroughVentRequest& request) {
@@ -91,25 +110,29 @@ std::optional<ThroughVent> throughVent(const IndexedMesh& cast, const SideLabels
     if (!wider)
         return std::nullopt;
     const InsideSide inside(cast, labels, side, d);
-    const Vector2d back = -up.head<2>().normalized();
     const double top = std::abs(highPoint.z());
     constexpr int levels = 8;
-    constexpr int ways = 12;
+    constexpr int steps = 12;
     // Nearest to the point first: what lies above the foot's highest point stays as a bubble.
-    for (int way = 0; way <= ways; ++way)
-        for (int level = 0; level < levels; ++level) {
-            const double foot = onGrid(top * (levels - level) / (levels + 1), request.grid);
-            const double radius = request.diameter / 2 + *wider * (request.end - foot) + 4 * request.grid;
-            const Vector2d centre = highPoint.head<2>() + back * radius * (1 + 0.25 * way) +
-                                    d.head<2>() / d.z() * ((side == 1 ? foot : -foot) - highPoint.z());
-            if (foot <= 0 || !inside.holds(planCircle(centre, radius, corners), foot, 0.1 * request.diameter))
-                continue;
-            std::optional<ThroughVent> vent = ventAt(centre, foot, side, d, radius, request);
-            if (!vent)
-                continue;
-            vent->reach = centre.dot(up.head<2>()) + radius;
-            return vent;
-        }
+    for (int step = 0; step <= steps; ++step)
+        for (const Vector2d& way : waysFrom(up))
+            for (int level = 0; level < levels; ++level) {
+                const double foot = onGrid(top * (levels - level) / (levels + 1), request.grid);
+                const double radius = request.diameter / 2 + *wider * (request.end - foot) + 4 * request.grid;
+                const bool upright = up.z() != 0;
+                const Vector2d centre = highPoint.head<2>() +
+                                        way * radius * ((upright ? 0 : 1) + 0.25 * step) +
+                                        d.head<2>() / d.z() * ((side == 1 ? foot : -foot) - highPoint.z());
+                const PlanShape circle = planCircle(centre, radius, corners);
+                if (foot <= 0 || !inside.holds(circle, foot, 0.1 * request.diameter))
+                    continue;
+                std::optional<ThroughVent> vent = ventAt(centre, foot, side, d, radius, request);
+                if (!vent)
+                    continue;
+                vent->reach =
+                    upright ? inside.highest(circle, centre, foot) : centre.dot(up.head<2>()) + radius;
+                return vent;
+            }
     return std::nullopt;
 }
 

@@ -32,7 +32,8 @@ struct ThroughVentRequest {
 
 /// A vent for the air at `highPoint`, a point of `cast` (mold's frame, plane z = 0) on the given side: its
 /// foot lies wholly inside the cast, as near to the point as that allows, so that the joined body is still a
-/// graph along the direction. None where the cast is too slender for the foot.
+/// graph along the direction. `up` lies in the parting plane, or is +z where the mold lies flat. None where
+/// the cast is too slender for the foot.
 [[nodiscard]] std::optional<ThroughVent>
 throughVent(const IndexedMesh& cast, const SideLabels& labels, const Directions& directions, int side,
             const Eigen::Vector3d& highPoint, const Eigen::Vector3d& up, const ThroughVentRequest& request);

@@ -14,9 +14,20 @@ double roundedUp(double length, double step, double grid) {
     return grid > 0 ? std::ceil(rounded / grid - 1e-9) * grid : rounded;
 }
 
+/// What a length lacks to the next of the stock; none where it is longer than all.
+std::optional<double> missingToStock(double length, const std::vector<double>& stock) {
+    if (stock.empty())
+        return 0;
+    std::optional<double> least;
+    for (const double has : stock)
+        if (has >= length - 1e-9 && (!least || has - length < *least))
+            least = std::max(0.0, has - length);
+    return least;
+}
+
 } // namespace
 
-Block blockAround(const BlockContent& content, const MoldSettings& settings, double grid) {
+std::optional<Block> blockAround(const BlockContent& content, const MoldSettings& settings, double grid) {
     const Eigen::AlignedBox3d& cast = content.cavities;
     const double step = settings.step;
     const auto half = [&](int axis, double wall) {
@@ -28,7 +39,16 @@ Block blockAround(const BlockContent& content, const MoldSettings& settings, dou
     const double top = std::max(y, roundedUp(content.spoutTop, step, grid));
     const double up = roundedUp(std::max(cast.max().z(), 0.0) + settings.ceiling, step, grid);
     const double down = roundedUp(std::max(-cast.min().z(), 0.0) + settings.floor, step, grid);
-    return {Eigen::Vector3d(-x, -y, -down), Eigen::Vector3d(x, top, up)};
+    Block block(Eigen::Vector3d(-x, -y, -down), Eigen::Vector3d(x, top, up));
+    for (const int axis : {0, 1}) {
+        const std::optional<double> more = missingToStock(block.sizes()[axis], settings.stock);
+        if (!more)
+            return std::nullopt;
+        // On both sides in x, so that the origin stays in the middle; away from the spout's mouth in y.
+        block.min()[axis] -= roundedUp(axis == 0 ? *more / 2 : *more, 0, grid);
+        block.max()[axis] += axis == 0 ? roundedUp(*more / 2, 0, grid) : 0;
+    }
+    return block;
 }
 
 } // namespace moldwright

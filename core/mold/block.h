@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include <optional>
+
 namespace moldwright {
 
 /// The box that both halves are cut from, mold's frame, mm; on the grid, centred in x over the origin.
@@ -18,7 +20,9 @@ struct BlockContent {
     double spoutTop = 0;          ///< y that the upper face must reach; below the wall's: none
 };
 
-/// Walls, floor and ceiling at least, sizes rounded up to the settings' step.
-[[nodiscard]] Block blockAround(const BlockContent& content, const MoldSettings& settings, double grid);
+/// Walls, floor and ceiling at least, sizes rounded up to the settings' step; length and width to the next of
+/// the stock, if there is one. None where the stock is too small.
+[[nodiscard]] std::optional<Block> blockAround(const BlockContent& content, const MoldSettings& settings,
+                                               double grid);
 
 } // namespace moldwright

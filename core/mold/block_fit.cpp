@@ -13,11 +13,14 @@ using Eigen::Vector3d;
 std::vector<MoldBuilder::OutwardHole> MoldBuilder::outwardHoles(const CavityCopy& copy) const {
     std::vector<OutwardHole> holes;
     const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
-    const EjectorSettings& ejectors = m_mold.settings.ejectors;
-    for (const EjectorPlace& place : m_ejectors[copy.kind]) {
-        const HalfBore bore{ejectors.side, place.axis, {}};
-        holes.push_back({bore.at(place.inside, m_mold.directions.of(ejectors.side)) + by, ejectors.side,
-                         ejectors.diameter / 2});
+    for (const HalfBore& bore : m_bores[copy.kind]) {
+        double widest = 0;
+        for (const HalfBore::Station& station : bore.stations)
+            widest = std::max(widest, station.radius);
+        const double foot = bore.stations.front().height;
+        // A flare's end is known when the block is: twice as wide is more than it will be.
+        holes.push_back({bore.at(foot, m_mold.directions.of(bore.side)) + by, bore.side,
+                         bore.flare > 0 ? 2 * widest : widest});
     }
     if (m_mold.settings.vents.on)
         for (const AirTrap& trap : m_traps[copy.kind]) {
@@ -47,7 +50,7 @@ Obstacles MoldBuilder::planObstacles(const Block& block) const {
             obstacles.push_back(planHull(ends));
         }
     }
-    if (spout().on)
+    if (inPlane())
         addChannelObstacles(obstacles, block.max().y());
     return obstacles;
 }
@@ -82,7 +85,7 @@ void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const 
         {m_layout.mainAxis + half, faceY}));
 }
 
-Block MoldBuilder::blockFor(double wallX, double wallY) const {
+std::optional<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     BlockContent content;
     content.wallX = wallX;
     content.wallY = wallY;
@@ -100,7 +103,7 @@ Block MoldBuilder::blockFor(double wallX, double wallY) const {
                 content.cavities.extend(
                     Vector3d(mouth.x() + way * hole.radius, mouth.y() + way * hole.radius, 0));
         }
-    if (spout().on) {
+    if (inPlane()) {
         const ChannelWidths& widths = m_widths;
         const double tail = m_end.face - m_end.line;
         if (single()) {
@@ -142,7 +145,7 @@ bool MoldBuilder::placeOn(const Block& block) {
 
 Result<void> MoldBuilder::fitBlock() {
     const MoldSettings& settings = m_mold.settings;
-    if (spout().on) {
+    if (inPlane()) {
         const Result<double> tail = tailLength(0.4 * std::max(spout().diameter, spout().gate), m_rules);
         if (!tail)
             return std::unexpected(tail.error());
@@ -153,9 +156,17 @@ Result<void> MoldBuilder::fitBlock() {
     // A band left and right makes room at the corners; what is wanted between them may need one all round.
     for (const bool allRound : {false, true})
         for (int growth = 0; growth < growths && !fits; ++growth) {
-            m_block = blockFor(settings.wall + growth, settings.wall + (allRound ? growth : 0));
+            const std::optional<Block> block =
+                blockFor(settings.wall + growth, settings.wall + (allRound ? growth : 0));
+            if (!block)
+                break;
+            m_block = *block;
             fits = placeOn(m_block);
         }
+    if (m_block.isEmpty())
+        return failure(ErrorCode::Impossible,
+                       MW_TEXT("Mold", "No block of the stock is large enough: the longest has {0} mm."),
+                       {readable(*std::max_element(settings.stock.begin(), settings.stock.end()))});
     if (!fits)
         return failure(ErrorCode::Impossible,
                        MW_TEXT("Mold", "There is no room for {0} keys, {1} slits and {2} bolt holes. Ask for "

@@ -4,6 +4,7 @@
 #include "castability/parting_curves.h"
 #include "features/joined_channel.h"
 #include "mesh/measures.h"
+#include "mold/free_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,7 @@ public:
     }
 
     Result<JoinedCavity> join(const CavityFeatures& features) {
+        m_bores = &features.bores;
         for (int attempt = 0; attempt < attempts; ++attempt) {
             m_nudge = attempt;
             m_result = {};
@@ -117,8 +119,10 @@ private:
         return {};
     }
 
+    [[nodiscard]] bool standing() const { return m_plan.up.z() == 0; }
+
     void vent(const AirTrap& trap) {
-        if (!ventInPlane(trap) && !ventThrough(trap))
+        if (!(standing() && ventInPlane(trap)) && !ventThrough(trap))
             m_result.remaining.push_back({m_kind.cast.point(trap.point), trap.volume});
     }
 
@@ -148,7 +152,10 @@ private:
         return std::all_of(m_result.stubs.begin(), m_result.stubs.end(),
                            [&](const Stub& stub) { return clear(stub.prism.base); }) &&
                std::all_of(m_result.vents.begin(), m_result.vents.end(),
-                           [&](const ThroughVent& other) { return clear(other.body.base); });
+                           [&](const ThroughVent& other) { return clear(other.body.base); }) &&
+               std::all_of(m_bores->begin(), m_bores->end(), [&](const HalfBore& bore) {
+                   return clear(planCircle(bore.axis, bore.stations.back().radius, circleCorners));
+               });
     }
 
     bool ventThrough(const AirTrap& trap) {
@@ -160,11 +167,11 @@ private:
         // More than the mold's draft, so that rounding at the joint cannot take it away.
         request.draftDegrees = m_plan.draftDegrees + 0.5;
         request.grid = m_plan.rules.grid;
-        std::optional<ThroughVent> found = throughVent(m_kind.cast, m_kind.labels, m_plan.rules.directions,
-                                                       side, top, Vector3d::UnitY(), request);
+        std::optional<ThroughVent> found =
+            throughVent(m_kind.cast, m_kind.labels, m_plan.rules.directions, side, top, m_plan.up, request);
         if (!found || !keepsClear(found->body.base))
             return false;
-        const double left = airAbove(m_kind.cast, Vector3d::UnitY(), trap, found->reach);
+        const double left = airAbove(m_kind.cast, m_plan.up, trap, found->reach);
         if (left > m_plan.settings->vents.smallestTrap)
             m_result.remaining.push_back({top, left});
         m_result.vents.push_back(*std::move(found));
@@ -172,10 +179,15 @@ private:
     }
 
     void addBore(HalfBore bore) {
-        const double width = bore.stations.front().radius;
-        bore.axis += 0.011 * m_nudge * width * Vector2d(1, 0.7);
+        bore.axis += 0.011 * m_nudge * bore.stations.front().radius * Vector2d(1, 0.7);
         bore.stations.front().height *= 1 - 0.01 * m_nudge;
-        bore.stations.back().height = m_plan.blockEnd[bore.side == 1 ? 0 : 1];
+        const double end = m_plan.blockEnd[bore.side == 1 ? 0 : 1];
+        bore.stations.pop_back();
+        constexpr double least = 0.2; // mm of the last piece
+        while (bore.stations.size() > 2 && bore.stations.back().height > end - least)
+            bore.stations.pop_back();
+        const HalfBore::Station& last = bore.stations.back();
+        bore.stations.push_back({end, last.radius + bore.flare * (end - last.height)});
         m_result.bores.push_back(std::move(bore));
     }
 
@@ -196,25 +208,33 @@ private:
             return false;
         m_result.stubVolume = volume(*joined) - volume(m_kind.cast);
         m_result.solid = m_result.hollow = openedAt(*joined, request.openings);
-        return m_result.bores.empty() || cutBores(*joined, request);
+        IndexedMesh cut = *joined;
+        return cutBores(cut, "Spout", m_result.spoutVolume, request) &&
+               cutBores(cut, "Ejector hole", m_result.pinVolume, request);
     }
 
-    bool cutBores(const IndexedMesh& solid, JointRequest request) {
+    /// The bores of one name; `taken`: mm³ that they take away.
+    bool cutBores(IndexedMesh& solid, const std::string& name, double& taken, JointRequest request) {
         std::vector<IndexedMesh> bodies;
         for (const HalfBore& bore : m_result.bores)
-            bodies.push_back(bore.solid(m_plan.rules.directions.of(bore.side), m_plan.rules.grid));
+            if (bore.name == name)
+                bodies.push_back(bore.solid(m_plan.rules.directions.of(bore.side), m_plan.rules.grid));
+        if (bodies.empty())
+            return true;
         request.bores = true;
-        const std::optional<IndexedMesh> cut = joinedSolid(solid, {inOne(bodies)}, request);
+        std::optional<IndexedMesh> cut = joinedSolid(solid, {inOne(bodies)}, request);
         if (!cut)
             return false;
-        m_result.boreVolume = volume(*cut) - volume(solid);
-        m_result.hollow = openedAt(*cut, request.openings);
+        taken = volume(*cut) - volume(solid);
+        solid = *std::move(cut);
+        m_result.hollow = openedAt(solid, request.openings);
         return true;
     }
 
     const CavityKind& m_kind;
     const JointPlan& m_plan;
     std::vector<PlanShape> m_outlines;
+    const std::vector<HalfBore>* m_bores = nullptr;
     int m_nudge = 0;
     JoinedCavity m_result;
 };

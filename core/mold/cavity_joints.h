@@ -26,14 +26,15 @@ struct JoinedCavity {
     double stubVolume = 0;       ///< mm³ by which the closed solid is larger than the cast
     IndexedMesh hollow;          ///< the solid with its bores: what the halves are cut by; open like it
     std::vector<HalfBore> bores; ///< as they were joined
-    double boreVolume = 0;       ///< mm³ by which the hollow is larger than the solid
+    double spoutVolume = 0;      ///< mm³ of the bores that fill
+    double pinVolume = 0;        ///< mm³ of those that do not
 };
 
 /// What crosses one kind's wall.
 struct CavityFeatures {
     std::vector<Gate> gates;
     std::vector<AirTrap> traps;  ///< to be vented
-    std::vector<HalfBore> bores; ///< their last station is left to the joint: it ends at the block's face
+    std::vector<HalfBore> bores; ///< their last section is left to the joint: the block's face
 };
 
 /// What a cavity is joined with.
@@ -41,11 +42,12 @@ struct JointPlan {
     const MoldSettings* settings = nullptr;
     ChannelRules rules;
     ChannelWidths widths;
-    double draftDegrees = 1;          ///< of the mold
-    double line = 0;                  ///< y at which stubs end, the kind's coordinates
-    std::array<double, 2> slope{};    ///< of the wall that they end in
-    bool spout = false;               ///< the only cavity: its gate is the spout itself
-    std::array<double, 2> blockEnd{}; ///< distance of the block's outer faces from the plane, mm
+    double draftDegrees = 1;                       ///< of the mold
+    Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< while it is filled: +y, or +z
+    double line = 0;                               ///< y at which stubs end, the kind's coordinates
+    std::array<double, 2> slope{};                 ///< of the wall that they end in
+    bool spout = false;                            ///< the only cavity: its gate is the spout itself
+    std::array<double, 2> blockEnd{};              ///< distance of the block's outer faces from the plane, mm
 };
 
 /// Gates, vents and bores of one kind, joined to it exactly. Where rounding spoils a joint the channel is

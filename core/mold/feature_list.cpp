@@ -82,7 +82,8 @@ void MoldBuilder::listChannels() {
                                    middleOf(channel.prism),
                                    sizesOf(channel.prism),
                                    {}});
-    m_mold.pathLengths = m_net.pathLengths;
+    if (inPlane())
+        m_mold.pathLengths = m_net.pathLengths;
 }
 
 void MoldBuilder::listRegistration() {
@@ -112,17 +113,26 @@ void MoldBuilder::listRegistration() {
 
 void MoldBuilder::listBores(const CavityCopy& copy) {
     const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
-    const std::vector<HalfBore>& bores = m_joined[copy.kind].bores;
-    for (std::size_t i = 0; i < bores.size(); ++i) {
-        const Vector3d& d = m_mold.directions.of(bores[i].side);
-        const Vector3d tip = bores[i].at(m_ejectors[copy.kind][i].tip, d);
-        const double length = (bores[i].at(bores[i].stations.back().height, d) - tip).norm();
-        m_mold.features.push_back(
-            {"ejector",
-             "Ejector hole in half " + std::to_string(bores[i].side),
-             tip + by,
-             {{"diameter", m_mold.settings.ejectors.diameter}, {"side", bores[i].side}, {"length", length}},
-             {}});
+    for (const HalfBore& bore : m_joined[copy.kind].bores) {
+        const Vector3d& d = m_mold.directions.of(bore.side);
+        const Vector3d tip = bore.at(bore.tip, d);
+        const double length = (bore.at(bore.stations.back().height, d) - tip).norm();
+        const std::vector<std::pair<std::string, double>> common = {{"side", bore.side}, {"length", length}};
+        MoldFeature feature{
+            "ejector", "Ejector hole in half " + std::to_string(bore.side), tip + by, common, {}};
+        if (bore.name == "Spout") {
+            feature.kind = "spout";
+            feature.name = "Spout through half 1";
+            feature.numbers.emplace_back("neck", spout().neck);
+            feature.numbers.emplace_back("mouth", 2 * bore.stations.back().radius);
+            feature.note =
+                "Widens outwards: it breaks off at its neck when half 1 is taken off, and is pushed "
+                "out of it outwards.";
+            m_mold.pathLengths.push_back(length);
+        } else {
+            feature.numbers.emplace_back("diameter", m_mold.settings.ejectors.diameter);
+        }
+        m_mold.features.push_back(std::move(feature));
     }
 }
 

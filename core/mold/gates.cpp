@@ -85,19 +85,24 @@ std::vector<Gate> gatesOf(const IndexedMesh& cast, const SideLabels& labels, con
     return gates;
 }
 
-std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<Gate>& gates, const Vector2d& up,
+std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<int>& drains, const Vector3d& up,
                              double smallest) {
     const std::vector<int> component = componentOfPoints(cast);
-    const Vector3d up3(up.x(), up.y(), 0);
     std::vector<AirTrap> all;
-    for (const Gate& gate : gates) {
+    for (const int drain : drains) {
         // Points of other solids never meet this one's drain; theirs are found with their own.
-        for (AirTrap& trap : airTraps(cast, up3, gate.point, smallest))
-            if (component[static_cast<std::size_t>(trap.point)] ==
-                component[static_cast<std::size_t>(gate.point)])
+        for (AirTrap& trap : airTraps(cast, up, drain, smallest))
+            if (component[static_cast<std::size_t>(trap.point)] == component[static_cast<std::size_t>(drain)])
                 all.push_back(std::move(trap));
     }
     return all;
+}
+
+std::vector<int> drainsOf(const std::vector<Gate>& gates) {
+    std::vector<int> drains;
+    for (const Gate& gate : gates)
+        drains.push_back(gate.point);
+    return drains;
 }
 
 int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double width, double smallestTrap) {
@@ -107,7 +112,7 @@ int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double wi
         const IndexedMesh turned = quarterTurned(cast, quarters);
         const std::vector<Gate> gates = gatesOf(turned, labels, Vector2d::UnitY(), width);
         std::pair<int, double> cost{blockedGates(turned, gates, width), 0};
-        for (const AirTrap& trap : trapsOf(turned, gates, Vector2d::UnitY(), smallestTrap))
+        for (const AirTrap& trap : trapsOf(turned, drainsOf(gates), Vector3d::UnitY(), smallestTrap))
             cost.second += trap.volume;
         if (cost < least) {
             best = quarters;

@@ -21,9 +21,13 @@ struct Gate {
 [[nodiscard]] std::vector<Gate> gatesOf(const IndexedMesh& cast, const SideLabels& labels,
                                         const Eigen::Vector2d& up, double width);
 
-/// The traps of all solids of a cavity, drained at the gates; smaller ones than `smallest` mm³ left out.
-[[nodiscard]] std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<Gate>& gates,
-                                           const Eigen::Vector2d& up, double smallest);
+/// The traps of all solids of a cavity that fills along `up` (unit), each drained at one of the points
+/// `drains`; smaller ones than `smallest` mm³ left out.
+[[nodiscard]] std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<int>& drains,
+                                           const Eigen::Vector3d& up, double smallest);
+
+/// The gates' points.
+[[nodiscard]] std::vector<int> drainsOf(const std::vector<Gate>& gates);
 
 /// Of the four quarter turns the one with which, when +y is up, the fewest gates `width` mm wide have another
 /// solid of the cavity over them, and of those the one that traps least air; 0 to 3. The smallest among

@@ -46,6 +46,8 @@ struct Mold {
     Directions directions;    ///< in the mold's frame
     double cavityVolume = 0;  ///< mm³ of all cavities
     double channelVolume = 0; ///< mm³ of spout, runners, gates and vents as far as they fill
+    double sprueVolume = 0;   ///< mm³ of that: what breaks off in spouts through half 1, not in `cast`
+    double shellVolume = 0;   ///< mm³ of all cavities' walls when they are cast hollow; 0: cast solid
     double otherVolume = 0;   ///< mm³ of the block that stays empty: slits, clearance of keys, mouths
     double blockVolume = 0;   ///< mm³
     double partingArea = 0;   ///< mm² enclosed by cavities and channels in the parting plane

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "castability/parting_curves.h"
 #include "mesh/measures.h"
+#include "mold/hollow_casting.h"
 #include "mold/mold_builder.h"
 
 #include <algorithm>
@@ -115,7 +116,17 @@ Result<void> MoldBuilder::measure() {
     m_mold.blockVolume = m_block.volume();
     for (const CavityCopy& copy : m_layout.copies)
         m_mold.cavityVolume += volume(m_kinds[copy.kind].cast);
+    if (settings.hollow.wall > 0) {
+        std::vector<double> ofKind;
+        for (const CavityKind& kind : m_kinds)
+            ofKind.push_back(shellVolume(kind.cast, settings.hollow.wall));
+        for (const CavityCopy& copy : m_layout.copies)
+            m_mold.shellVolume += ofKind[copy.kind];
+    }
     m_mold.channelVolume = channels() ? volume(*m_mold.cast) - m_mold.cavityVolume : 0;
+    for (const CavityCopy& copy : m_layout.copies)
+        m_mold.sprueVolume += m_joined[copy.kind].spoutVolume;
+    m_mold.channelVolume += m_mold.sprueVolume;
     for (std::size_t i = 0; i < m_openTails.size(); ++i)
         m_mold.otherVolume += volumeOf(m_openTails[i]) - volumeOf(m_closedTails[i]);
     for (const WedgeSlit& slit : m_slits)
@@ -125,7 +136,7 @@ Result<void> MoldBuilder::measure() {
     for (const PlanShape& bolt : m_bolts)
         m_mold.otherVolume += volume(boltSolid(bolt, m_block));
     for (const CavityCopy& copy : m_layout.copies)
-        m_mold.otherVolume += m_joined[copy.kind].boreVolume;
+        m_mold.otherVolume += m_joined[copy.kind].pinVolume;
     const auto curves = partingCurves(*m_mold.cast, labelSides(*m_mold.cast, {}));
     m_mold.partingArea = curves ? enclosedArea(*m_mold.cast, *curves) : 0;
     // cm² × bar / 100 = kN.
@@ -138,6 +149,10 @@ Result<void> MoldBuilder::measure() {
         if (thin.thickness < settings.leastSteel)
             m_mold.notes.push_back("Only " + readable(thin.thickness, 3) + " mm of steel between " +
                                    thin.first + " and " + thin.second + ".");
+    if (m_mold.sprueVolume > 0)
+        m_mold.notes.push_back("Each spout through half 1 holds its sprue and breaks off at a neck of " +
+                               readable(spout().neck, 3) +
+                               " mm: the cast is proved without it. Push the sprues out of half 1 outwards.");
     listFeatures();
     return {};
 }
@@ -156,7 +171,7 @@ std::vector<Hollow> MoldBuilder::hollows() const {
             attached.back().push_back({"Vent", shared(vent.solid()), {}, {}, true});
         for (const HalfBore& bore : m_joined[kind].bores)
             attached.back().push_back(
-                {ejectorName, shared(bore.solid(m_mold.directions.of(bore.side), m_grid)), {}, {}, true});
+                {bore.name, shared(bore.solid(m_mold.directions.of(bore.side), m_grid)), {}, {}, true});
     }
     const int net = static_cast<int>(m_layout.copies.size());
     for (int c = 0; c < net; ++c) {
@@ -164,8 +179,10 @@ std::vector<Hollow> MoldBuilder::hollows() const {
         all.push_back({"Cavity", casts[copy.kind], copy.offset, {c}, false});
         for (Hollow hollow : attached[copy.kind]) {
             hollow.offset = copy.offset;
+            hollow.joints = {c};
             // A bore stays apart from the runners.
-            hollow.joints = hollow.name == ejectorName ? std::vector{c} : std::vector{c, net};
+            if (hollow.name != ejectorName)
+                hollow.joints.push_back(net);
             all.push_back(std::move(hollow));
         }
     }

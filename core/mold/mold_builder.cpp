@@ -64,7 +64,7 @@ Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& label
                                readable(proof.worstDraftDegrees) + "°. Design the cast with " +
                                readable(2 * m_mold.draftDegrees - proof.worstDraftDegrees, 3) + "°.");
     int quarters = 0;
-    if (spout().on)
+    if (inPlane())
         quarters = spout().pour == PourDirection::Automatic
                        ? bestQuarterTurn(placed.mesh, labels, spout().gate, settings.vents.smallestTrap)
                        : static_cast<int>(spout().pour) - 1;
@@ -93,7 +93,7 @@ Result<void> MoldBuilder::layOut() {
                {flips || m_cast.V.col(2).maxCoeff() > depth, flips || m_cast.V.col(2).minCoeff() < -depth},
                m_grid};
     RunnerRoom room;
-    if (spout().on) {
+    if (inPlane()) {
         const Result<ChannelWidths> widths = ChannelWidths::of(spout(), m_rules);
         if (!widths)
             return std::unexpected(widths.error());
@@ -101,14 +101,10 @@ Result<void> MoldBuilder::layOut() {
         room = m_widths.room();
         // A gate at a cavity's very edge stays clear of the main runner.
         room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.layout.spacing + 1);
-        for (const CavityKind& kind : m_kinds)
-            m_gates.push_back(gatesOf(kind.cast, kind.labels, Vector2d::UnitY(), m_widths.gate));
-        for (std::size_t kind = 0; settings.vents.on && kind < m_kinds.size(); ++kind)
-            m_traps.push_back(
-                trapsOf(m_kinds[kind].cast, m_gates[kind], Vector2d::UnitY(), settings.vents.smallestTrap));
     }
-    if (Result<void> done = placeEjectors(); !done)
-        return done;
+    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind)
+        if (Result<void> done = placeEntries(kind); !done)
+            return done;
     m_layout = layoutOf(m_kinds, settings.layout, room);
     m_mold.cavities = static_cast<int>(m_layout.copies.size());
     m_mold.partToMold.pretranslate(
@@ -116,41 +112,74 @@ Result<void> MoldBuilder::layOut() {
     return {};
 }
 
-Result<void> MoldBuilder::placeEjectors() {
-    const EjectorSettings& ejectors = m_mold.settings.ejectors;
-    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        m_ejectors.emplace_back();
-        if (ejectors.count == 0)
-            continue;
-        const auto plan = [&](int v) -> Vector2d { return m_kinds[kind].cast.V.row(v).head<2>(); };
-        std::vector<std::pair<Vector2d, double>> keepOff;
-        if (spout().on)
-            for (const Gate& gate : m_gates[kind])
-                keepOff.emplace_back(plan(gate.point), gate.drop + m_widths.gate / 2);
-        if (m_mold.settings.vents.on)
-            for (const AirTrap& trap : m_traps[kind])
-                keepOff.emplace_back(plan(trap.point), 2 * m_mold.settings.vents.diameter);
-        Result<std::vector<EjectorPlace>> places =
-            ejectorPlaces(m_kinds[kind], m_mold.directions, ejectors, m_mold.settings.leastSteel, keepOff);
-        if (!places)
-            return std::unexpected(places.error());
-        m_ejectors.back() = *std::move(places);
+/// Where the kind is filled, what air stays then, and where it is pushed out.
+Result<void> MoldBuilder::placeEntries(std::size_t kind) {
+    const IndexedMesh& cast = m_kinds[kind].cast;
+    m_gates.emplace_back();
+    m_traps.emplace_back();
+    m_bores.emplace_back();
+    std::vector<int> drains;
+    if (inPlane()) {
+        m_gates.back() = gatesOf(cast, m_kinds[kind].labels, Vector2d::UnitY(), m_widths.gate);
+        drains = drainsOf(m_gates.back());
     }
-    return {};
+    if (lying()) {
+        Result<std::vector<int>> points = placeSpouts(kind);
+        if (!points)
+            return std::unexpected(points.error());
+        drains = *std::move(points);
+    }
+    if (m_mold.settings.vents.on)
+        m_traps.back() = trapsOf(cast, drains, up(), m_mold.settings.vents.smallestTrap);
+    return m_mold.settings.ejectors.count > 0 ? placeEjectors(kind) : Result<void>();
 }
 
-CavityFeatures MoldBuilder::featuresOf(std::size_t kind) const {
-    const EjectorSettings& ejectors = m_mold.settings.ejectors;
-    CavityFeatures features;
-    if (spout().on)
-        features.gates = m_gates[kind];
-    if (m_mold.settings.vents.on)
-        features.traps = m_traps[kind];
-    for (const EjectorPlace& place : m_ejectors[kind]) {
-        const double radius = ejectors.diameter / 2;
-        features.bores.push_back({ejectors.side, place.axis, {{place.inside, radius}, {0, radius}}});
+Result<std::vector<int>> MoldBuilder::placeSpouts(std::size_t kind) {
+    const Result<std::vector<BorePlace>> places = spoutPlaces(m_kinds[kind], m_mold.directions, spout().neck);
+    if (!places)
+        return std::unexpected(places.error());
+    std::vector<int> drains;
+    for (const BorePlace& place : *places) {
+        // Thinnest where it meets the cavity; from there on it widens, so that it can be pushed out.
+        const double neck = spout().neck / 2;
+        const double full = std::max(spout().diameter / 2, neck + 0.5);
+        constexpr double neckLength = 1; // mm
+        HalfBore bore{"Spout", 1, place.axis, {}, std::tan(radians(m_rules.draftDegrees)), place.tip};
+        bore.stations = {{place.inside, 0.8 * neck},
+                         {place.tip, neck},
+                         {place.tip + neckLength, neck + 0.2},
+                         {place.tip + neckLength + full - neck, full},
+                         {0, full}};
+        const Vector3d entry = bore.at(place.tip, m_mold.directions.d1);
+        Eigen::Index nearest = 0;
+        (m_kinds[kind].cast.V.rowwise() - entry.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+        drains.push_back(static_cast<int>(nearest));
+        m_bores[kind].push_back(std::move(bore));
     }
-    return features;
+    return drains;
+}
+
+Result<void> MoldBuilder::placeEjectors(std::size_t kind) {
+    const EjectorSettings& ejectors = m_mold.settings.ejectors;
+    const auto plan = [&](int v) -> Vector2d { return m_kinds[kind].cast.V.row(v).head<2>(); };
+    std::vector<std::pair<Vector2d, double>> keepOff;
+    for (const Gate& gate : m_gates[kind])
+        keepOff.emplace_back(plan(gate.point), gate.drop + m_widths.gate / 2);
+    for (const AirTrap& trap : m_traps[kind])
+        keepOff.emplace_back(plan(trap.point), 2 * m_mold.settings.vents.diameter);
+    for (const HalfBore& bore : m_bores[kind])
+        if (bore.side == ejectors.side)
+            keepOff.emplace_back(bore.axis, spout().diameter);
+    const Result<std::vector<BorePlace>> places =
+        ejectorPlaces(m_kinds[kind], m_mold.directions, ejectors, m_mold.settings.leastSteel, keepOff);
+    if (!places)
+        return std::unexpected(places.error());
+    for (const BorePlace& place : *places) {
+        const double radius = ejectors.diameter / 2;
+        m_bores[kind].push_back(
+            {"Ejector hole", ejectors.side, place.axis, {{place.inside, radius}, {0, radius}}, 0, place.tip});
+    }
+    return {};
 }
 
 Result<void> MoldBuilder::join() {
@@ -160,9 +189,10 @@ Result<void> MoldBuilder::join() {
     plan.rules = m_rules;
     plan.widths = m_widths;
     plan.draftDegrees = m_mold.draftDegrees;
+    plan.up = up();
     plan.spout = single();
     plan.blockEnd = {m_block.max().z(), -m_block.min().z()};
-    if (spout().on) {
+    if (inPlane()) {
         const Result<std::array<double, 2>> slope = m_rules.slope(-Vector2d::UnitY());
         if (!slope)
             return std::unexpected(slope.error());
@@ -170,13 +200,14 @@ Result<void> MoldBuilder::join() {
         plan.slope = single() ? std::array{0.0, 0.0} : *slope;
     }
     for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        Result<JoinedCavity> joined = joinedCavity(m_kinds[kind], featuresOf(kind), plan);
+        Result<JoinedCavity> joined =
+            joinedCavity(m_kinds[kind], {m_gates[kind], m_traps[kind], m_bores[kind]}, plan);
         if (!joined)
             return std::unexpected(joined.error());
         m_joined.push_back(*std::move(joined));
         m_stubs.push_back(m_joined.back().stubs);
     }
-    if (spout().on && !single()) {
+    if (inPlane() && !single()) {
         Result<RunnerNet> net = runnerNet(m_layout, m_stubs, spout(), m_widths, m_rules, m_end);
         if (!net)
             return std::unexpected(net.error());
@@ -187,7 +218,7 @@ Result<void> MoldBuilder::join() {
 
 /// What opens into the block's face: the spout, and a single cavity's vents.
 Result<void> MoldBuilder::addTails() {
-    if (!spout().on)
+    if (!inPlane())
         return {};
     std::vector<const DraftedPrism*> ends;
     if (single())

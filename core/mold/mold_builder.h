@@ -2,8 +2,8 @@
 #pragma once
 
 #include "mold/bolt_holes.h"
+#include "mold/bore_places.h"
 #include "mold/cavity_joints.h"
-#include "mold/ejector_pins.h"
 #include "mold/half.h"
 #include "mold/mold.h"
 #include "mold/registration.h"
@@ -37,10 +37,18 @@ public:
 
 private:
     [[nodiscard]] bool single() const { return m_layout.copies.size() == 1; }
+    /// Whether spout and runners lie in the parting plane.
+    [[nodiscard]] bool inPlane() const { return spout().on && spout().resting == Resting::Standing; }
+    [[nodiscard]] bool lying() const { return spout().on && spout().resting == Resting::Lying; }
+    /// Up while the mold is filled.
+    [[nodiscard]] Eigen::Vector3d up() const {
+        return lying() ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+    }
     [[nodiscard]] const SpoutSettings& spout() const { return m_mold.settings.spout; }
     [[nodiscard]] bool channels() const { return spout().on || m_mold.settings.vents.on; }
-    Result<void> placeEjectors();
-    [[nodiscard]] CavityFeatures featuresOf(std::size_t kind) const;
+    Result<void> placeEntries(std::size_t kind);
+    Result<void> placeEjectors(std::size_t kind);
+    Result<std::vector<int>> placeSpouts(std::size_t kind);
     [[nodiscard]] Obstacles planObstacles(const Block& block) const;
     void addChannelObstacles(Obstacles& obstacles, double faceY) const;
     /// A hole that leaves a cavity through a half, along its direction.
@@ -51,7 +59,7 @@ private:
     };
     [[nodiscard]] std::vector<OutwardHole> outwardHoles(const CavityCopy& copy) const;
     [[nodiscard]] Eigen::Vector3d mouthOf(const OutwardHole& hole, const Eigen::AlignedBox3d& block) const;
-    [[nodiscard]] Block blockFor(double wallX, double wallY) const;
+    [[nodiscard]] std::optional<Block> blockFor(double wallX, double wallY) const;
     [[nodiscard]] bool placeOn(const Block& block);
     Result<void> makeRegistration();
     Result<void> addTails();
@@ -71,9 +79,9 @@ private:
     IndexedMesh m_cast; ///< placed
     SideLabels m_labels;
     std::vector<CavityKind> m_kinds;
-    std::vector<std::vector<Gate>> m_gates;            ///< by kind, if there is a spout
-    std::vector<std::vector<AirTrap>> m_traps;         ///< by kind, if there are vents
-    std::vector<std::vector<EjectorPlace>> m_ejectors; ///< by kind
+    std::vector<std::vector<Gate>> m_gates;     ///< by kind, if a spout lies in the plane
+    std::vector<std::vector<AirTrap>> m_traps;  ///< by kind, if there are vents
+    std::vector<std::vector<HalfBore>> m_bores; ///< by kind
     Layout m_layout;
     Block m_block;
     std::vector<Eigen::Vector2d> m_boltPlaces;

@@ -71,6 +71,19 @@ Json steel(const Mold& mold) {
     return all;
 }
 
+/// Cast hollow: the walls that stay, and what is poured out again.
+Json hollowShot(const Mold& mold) {
+    const double shell = mold.shellVolume / 1000;
+    Json json = {{"wall", mold.settings.hollow.wall},
+                 {"volume_cm3", shell},
+                 {"poured_out_cm3", mold.cavityVolume / 1000 - shell}};
+    if (mold.settings.density > 0) {
+        json["mass_g"] = shell * mold.settings.density;
+        json["mass_each_g"] = shell * mold.settings.density / mold.cavities;
+    }
+    return json;
+}
+
 /// What a shot takes: in cm³, and in grams where the density is known.
 Json shot(const Mold& mold) {
     const double volume = (mold.cavityVolume + mold.channelVolume) / 1000;
@@ -80,6 +93,8 @@ Json shot(const Mold& mold) {
         json["mass_g"] = volume * mold.settings.density;
         json["mix_g"] = volume * mold.settings.density * mixAllowance;
     }
+    if (mold.shellVolume > 0)
+        json["hollow"] = hollowShot(mold);
     if (mold.settings.blockDensity > 0)
         json["block_mass_g"] = (mold.half1.volume + mold.half2.volume) / 1000 * mold.settings.blockDensity;
     return json;
@@ -174,6 +189,7 @@ std::string moldJson(const Mold& mold) {
                   {"block_volume", mold.blockVolume},
                   {"cavity_volume", mold.cavityVolume},
                   {"channel_volume", mold.channelVolume},
+                  {"sprue_volume", mold.sprueVolume},
                   {"other_volume", mold.otherVolume},
                   {"shot", shot(mold)},
                   {"parting_area", mold.partingArea},

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace moldwright {
 
 /// How a linear shrink S becomes a factor: both are in use, at 5 % they are 1.0500 and 1.0526.
@@ -56,6 +58,12 @@ enum class PourDirection {
     Turn270,
 };
 
+/// How the mold rests while it is filled.
+enum class Resting {
+    Standing, ///< on its edge: the spout lies in the parting plane
+    Lying     ///< flat, half 1 above: a spout through half 1 for each solid of each cavity
+};
+
 /// A spout in the parting plane with its funnel, and with several cavities the runners between them. Sections
 /// are drafted trapezoids: half a circle would have no draft at its rim.
 struct SpoutSettings {
@@ -65,6 +73,8 @@ struct SpoutSettings {
     double gate = 6;      ///< width where it meets the cavity, mm
     double draft = 5;     ///< degrees
     PourDirection pour = PourDirection::Automatic;
+    Resting resting = Resting::Standing;
+    double neck = 4; ///< mm; a spout through a half widens outwards, so it must break off here
 
     bool operator==(const SpoutSettings&) const = default;
 };
@@ -120,6 +130,13 @@ struct EjectorSettings {
     bool operator==(const EjectorSettings&) const = default;
 };
 
+/// Casting that is poured out again before it is solid all through, as chocolate shells are.
+struct HollowSettings {
+    double wall = 0; ///< mm that stay; 0: solid
+
+    bool operator==(const HollowSettings&) const = default;
+};
+
 /// What a mold is made of. Lengths in mm. Walls of 5 mm are what open mold generators use for printed molds
 /// (range 1.5 to 25 mm). As it stands: a block round one cavity, no features.
 struct MoldSettings {
@@ -139,6 +156,8 @@ struct MoldSettings {
     SlitSettings slits;
     BoltSettings bolts;
     EjectorSettings ejectors;
+    HollowSettings hollow;
+    std::vector<double> stock; ///< lengths and widths of blocks that are to be had, mm; empty: any
 
     bool operator==(const MoldSettings&) const = default;
 };

@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 2> formulaNames = {"plus", "divide"};
 constexpr std::array<std::string_view, 3> arrangementNames = {"grid", "staggered", "packed"};
 constexpr std::array<std::string_view, 4> alternationNames = {"none", "turn", "flip", "mirror"};
+constexpr std::array<std::string_view, 2> restingNames = {"standing", "lying"};
 constexpr std::array<std::string_view, 5> pourNames = {"auto", "0", "90", "180", "270"};
 
 /// Visits each value of the settings with its key, so that writing and reading cannot disagree.
@@ -63,6 +64,10 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"bolts", "diameter"}, mold.bolts.diameter);
     at.value({"bolts", "wall"}, mold.bolts.wall);
     at.value({"bolts", "clear"}, mold.bolts.clear);
+    at.name({"spout", "resting"}, mold.spout.resting, restingNames);
+    at.value({"spout", "neck"}, mold.spout.neck);
+    at.value({"hollow", "wall"}, mold.hollow.wall);
+    at.value({"stock"}, mold.stock);
     at.value({"ejectors", "count"}, mold.ejectors.count);
     at.value({"ejectors", "diameter"}, mold.ejectors.diameter);
     at.value({"ejectors", "side"}, mold.ejectors.side);

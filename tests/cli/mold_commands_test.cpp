@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -165,6 +166,23 @@ TEST_F(MoldCommands, MoldWithAllItsFeaturesVerifies) {
     for (const char* name : {"mold-half-1.obj", "mold-cast.ply", "mold-plan.svg", "mold-section-x.dxf"})
         EXPECT_TRUE(std::filesystem::file_size(in(std::string("out/") + name)) > 200) << name;
     EXPECT_EQ(verified(json).exitCode, 0) << "the files as they were written";
+}
+
+TEST_F(MoldCommands, AMoldThatLiesFlatIsFilledThroughHalf1) {
+    const test::Run run = test::runProgram({"mold", project(m_box), "--out", in("out"), "--spout", "through",
+                                            "--neck", "3", "--vents", "auto", "--hollow", "1.5", "--stock",
+                                            "60,100", "--json", "-", "--density", "1.2"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_TRUE(json["verified"]);
+    EXPECT_GT(json["sprue_volume"], 0);
+    EXPECT_GT(json["shot"]["hollow"]["mass_g"], 0);
+    for (const int axis : {0, 1}) {
+        const double size = json["half1"]["size"][axis];
+        EXPECT_TRUE(std::abs(size - 60) < 1e-4 || std::abs(size - 100) < 1e-4) << size;
+    }
+    EXPECT_EQ(verified(json).exitCode, 0);
+    EXPECT_EQ(test::runProgram({"mold", project(m_box), "--out", in("out"), "--stock", "20"}).exitCode, 4);
 }
 
 TEST_F(MoldCommands, OtherProgramsFindNoFaultInTheHalves) {

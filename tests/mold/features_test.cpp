@@ -156,6 +156,55 @@ TEST(MoldFeatures, AKeyLeansAsTheDirectionsAsk) {
         }
 }
 
+TEST(MoldFeatures, AKeyWithTooLittleLeanWouldHold) {
+    // Built as asked for, without the correction: half 1 opened first catches on it.
+    const Directions oblique = sheared(ball(15, 4), 0.35, 0.35).state.directions;
+    const auto keyAlong = [&](const std::vector<Vector3d>& directions) {
+        PrismRequest request;
+        request.base = planCircle({0, 0}, 3, 32);
+        request.height = {3, 0};
+        request.directions[0] = directions;
+        request.draftDegrees = 5;
+        request.grid = 1.0 / 65536;
+        return *prismSolid(draftedPrism(request).value());
+    };
+    const IndexedMesh corrected = keyAlong({oblique.d1, -oblique.d2});
+    const IndexedMesh upright = keyAlong({Vector3d::UnitZ()});
+    for (const Vector3d& way : {oblique.d1, Vector3d(-oblique.d2)}) {
+        const auto catches = [&](const IndexedMesh& key) {
+            int faces = 0;
+            for (int f = 0; f < key.faceCount(); ++f)
+                faces += doubleAreaVector(key, f).normalized().z() > -0.5 &&
+                         doubleAreaVector(key, f).dot(way) <= 0;
+            return faces;
+        };
+        EXPECT_EQ(catches(corrected), 0);
+        EXPECT_GT(catches(upright), 0);
+    }
+}
+
+TEST(MoldFeatures, AChannelIsNeverHalfRound) {
+    // Half a circle has no draft at its rim: every wall of spout, runner and gate leans by at least 5°.
+    MoldSettings settings = everyFeature();
+    settings.layout = {2, 2, Arrangement::Grid, Alternation::None, 5};
+    const Result<Mold> mold = moldOf(ball(12, 4), settings);
+    expectVerified(mold);
+    double steepest = 90;
+    const IndexedMesh& cast = *mold->cast;
+    for (int f = 0; f < cast.faceCount(); ++f) {
+        double low = 1e300;
+        double high = -1e300;
+        for (int k = 0; k < 3; ++k) {
+            low = std::min(low, std::abs(cast.corner(f, k).z()));
+            high = std::max(high, std::abs(cast.corner(f, k).z()));
+        }
+        const Vector3d normal = doubleAreaVector(cast, f).normalized();
+        if (low == 0 && high > 0)
+            steepest = std::min(steepest, degrees(std::asin(std::abs(normal.z()))));
+    }
+    EXPECT_GT(steepest, 1) << "the ball's own faces at its equator lean least";
+}
+
 TEST(MoldFeatures, OneKeyIsLargerAndAllHaveTheirClearance) {
     MoldSettings settings;
     settings.keys.count = 4;

@@ -23,7 +23,8 @@ inline void expectVerified(const Result<Mold>& mold) {
     for (const std::string& problem : mold->problems)
         ADD_FAILURE() << problem;
     EXPECT_TRUE(mold->verified()) << mold->castCertificate.reason;
-    const double whole = mold->half1.volume + mold->half2.volume + volume(*mold->cast) + mold->otherVolume;
+    const double whole =
+        mold->half1.volume + mold->half2.volume + volume(*mold->cast) + mold->sprueVolume + mold->otherVolume;
     EXPECT_NEAR(whole, mold->blockVolume, 1e-6 * whole);
 }
 
