@@ -41,24 +41,30 @@ void History::clear() {
 }
 
 std::size_t History::bytes() const {
-    // A mesh that several steps share is held once.
+    // What several steps share is held once.
     std::set<const void*> seen;
     std::size_t sum = 0;
     const auto count = [&](const SharedMesh& mesh) {
         if (mesh && seen.insert(mesh.get()).second)
             sum += bytesOf(*mesh);
     };
+    const auto countVariant = [&](const Variant& variant) {
+        for (const ImportantRegion& region : variant.importance)
+            sum += region.faces.size() * (sizeof(int) + sizeof(double));
+        if (!variant.cast || !seen.insert(variant.cast.get()).second)
+            return;
+        count(variant.cast->mesh);
+        sum += variant.cast->labels.size() +
+               sizeof(double) * static_cast<std::size_t>(variant.cast->before.size());
+    };
     for (const Step& step : m_steps)
         for (const Project* project : {&step.before, &step.after}) {
+            sum += sizeof(Project) + project->others.size() * sizeof(Variant);
             count(project->source);
             count(project->part);
-            if (project->cast) {
-                count(project->cast->mesh);
-                sum += sizeof(double) * static_cast<std::size_t>(project->cast->before.size());
-            }
-            sum += sizeof(Project);
-            for (const ImportantRegion& region : project->importance)
-                sum += region.faces.size() * (sizeof(int) + sizeof(double));
+            countVariant(*project);
+            for (const Variant& other : project->others)
+                countVariant(other);
         }
     return sum;
 }

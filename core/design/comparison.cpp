@@ -44,13 +44,33 @@ std::vector<double> faceDistances(const IndexedMesh& from, const IndexedMesh& to
     return ofFace;
 }
 
+IndexedMesh movedBy(const Eigen::Isometry3d& motion, const IndexedMesh& mesh) {
+    IndexedMesh result = mesh;
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        result.V.row(v) = (motion * mesh.point(v)).transpose();
+    return result;
+}
+
 /// The part laid over its cast: moved as the cast's points moved, in the least squares sense.
 IndexedMesh fittedOver(const IndexedMesh& part, const Points& before, const IndexedMesh& cast) {
-    const Eigen::Isometry3d fit = bestRigidFit(before, cast.V);
-    IndexedMesh fitted = part;
-    for (int v = 0; v < part.vertexCount(); ++v)
-        fitted.V.row(v) = (fit * part.point(v)).transpose();
-    return fitted;
+    return movedBy(bestRigidFit(before, cast.V), part);
+}
+
+/// Area, and integral over it of the squared distance from `from` to `to`; between a face's corners the mean of
+/// their squares.
+std::pair<double, double> squaredDistance(const IndexedMesh& from, const IndexedMesh& to) {
+    const std::vector<double> distance = pointDistances(from, to);
+    double area = 0;
+    double sum = 0;
+    for (int f = 0; f < from.faceCount(); ++f) {
+        const double a = doubleAreaVector(from, f).norm() / 2;
+        area += a;
+        for (int k = 0; k < 3; ++k) {
+            const double d = distance[static_cast<std::size_t>(from.F(f, k))];
+            sum += a / 3 * d * d;
+        }
+    }
+    return {area, sum};
 }
 
 /// Mean over the surface, and largest, of the distance from `from`'s points to `to`.
@@ -203,6 +223,21 @@ Change measureChange(const IndexedMesh& part, const IndexedMesh& parted, const I
 Deviation deviation(const IndexedMesh& part, const IndexedMesh& cast, const Points& before) {
     const IndexedMesh fitted = fittedOver(part, before, cast);
     return {faceDistances(cast, fitted), faceDistances(fitted, cast)};
+}
+
+double rmsDistance(const IndexedMesh& part, const IndexedMesh& cast, const Points& before) {
+    const IndexedMesh fitted = fittedOver(part, before, cast);
+    const auto [areaThere, there] = squaredDistance(cast, fitted);
+    const auto [areaBack, back] = squaredDistance(fitted, cast);
+    return std::sqrt((there + back) / (areaThere + areaBack));
+}
+
+std::vector<double> castDifference(const IndexedMesh& cast, const Points& before, const IndexedMesh& other,
+                                   const Points& otherBefore) {
+    const auto fit = [](const Points& from, const IndexedMesh& to) {
+        return from.rows() == 0 ? Eigen::Isometry3d::Identity() : bestRigidFit(from, to.V);
+    };
+    return faceDistances(cast, movedBy(fit(before, cast) * fit(otherBefore, other).inverse(), other));
 }
 
 std::vector<LimbMeasure> measureLimbs(const IndexedMesh& parted, const IndexedMesh& cast,

@@ -5,6 +5,8 @@
 #include "design/design_run.h"
 #include "design/paper_method.h"
 
+#include <algorithm>
+
 namespace moldwright {
 
 namespace {
@@ -92,6 +94,7 @@ private:
             return result;
         result->seconds = m_seconds;
         result->settings = leg.heard();
+        result->steps = std::max(m_steps, result->plasticSteps);
         if (m_begunAnew)
             result->warnings.push_back(
                 {MW_TEXT("design", "The shape that the run had reached could not be parted at this plane: "

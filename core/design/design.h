@@ -170,6 +170,7 @@ struct DesignResult {
     bool bentByProxy = false; ///< by a coarse stand-in, see proxy.h
     int tets = 0;
     int plasticSteps = 0;
+    int steps = 0; ///< of the whole run; without `frames` only those of the published method are counted
     int localGlobalIterations = 0;
     std::map<std::string, double> seconds; ///< keys of timings.json
 };

@@ -37,4 +37,17 @@ Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels, const 
     return builder.mold();
 }
 
+Result<Eigen::Vector3d> blockSize(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
+                                  double draftDegrees, const MoldSettings& settings) {
+    MoldBuilder builder(settings, draftDegrees);
+    Result<void> done = builder.place(cast, labels, state);
+    if (done)
+        done = builder.layOut();
+    if (done)
+        done = builder.fitBlock();
+    if (!done)
+        return std::unexpected(done.error());
+    return builder.block().sizes();
+}
+
 } // namespace moldwright

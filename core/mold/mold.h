@@ -72,4 +72,10 @@ struct Mold {
                                      const MoldState& state, double draftDegrees,
                                      const MoldSettings& settings, const Task& task = {});
 
+/// Width, depth and height of the block of that mold, mm, both halves together, without building it. Errors:
+/// as those of buildMold() for cast and block.
+[[nodiscard]] Result<Eigen::Vector3d> blockSize(const IndexedMesh& cast, const SideLabels& labels,
+                                                const MoldState& state, double draftDegrees,
+                                                const MoldSettings& settings);
+
 } // namespace moldwright

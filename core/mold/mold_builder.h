@@ -14,7 +14,7 @@
 namespace moldwright {
 
 /// Builds a mold stage by stage, in the order of the members; each uses what the ones before have found. Only
-/// buildMold() calls it.
+/// mold.cpp calls it.
 class MoldBuilder {
 public:
     MoldBuilder(const MoldSettings& settings, double draftDegrees);
@@ -34,6 +34,7 @@ public:
     Result<void> prove();
 
     [[nodiscard]] Mold mold() { return std::move(m_mold); }
+    [[nodiscard]] const Block& block() const { return m_block; }
 
 private:
     [[nodiscard]] bool single() const { return m_layout.copies.size() == 1; }

@@ -25,6 +25,19 @@ MoldState moved(const MoldState& state, const Affine3d& change) {
     return result;
 }
 
+/// A design of the part after the part went through `change`; its cast is one of the part as it lay.
+void move(Variant& variant, const Affine3d& change) {
+    if (variant.state)
+        variant.state = moved(*variant.state, change);
+    for (Pin& pin : variant.pins)
+        pin.point = change * pin.point;
+    for (UndercutChoice& undercut : variant.undercuts)
+        undercut.place = change * undercut.place;
+    if (std::optional<Vector3d>& axis = variant.design.limits.axis)
+        axis = (change.linear() * *axis).normalized();
+    variant.cast = nullptr;
+}
+
 } // namespace
 
 IndexedMesh placed(const IndexedMesh& source, const Placement& placement) {
@@ -53,15 +66,9 @@ Project withPlacement(Project project, const Placement& placement) {
     const Affine3d change = fromFile(placement) * fromFile(project.placement).inverse();
     project.placement = placement;
     project.part = std::make_shared<const IndexedMesh>(placed(*project.source, placement));
-    if (project.state)
-        project.state = moved(*project.state, change);
-    for (Pin& pin : project.pins)
-        pin.point = change * pin.point;
-    for (UndercutChoice& undercut : project.undercuts)
-        undercut.place = change * undercut.place;
-    if (std::optional<Vector3d>& axis = project.design.limits.axis)
-        axis = (change.linear() * *axis).normalized();
-    project.cast = nullptr;
+    move(project, change);
+    for (Variant& other : project.others)
+        move(other, change);
     return project;
 }
 
@@ -132,9 +139,9 @@ Project withMoldSettings(Project project, const MoldSettings& settings) {
 
 Project withCast(Project project, const DesignResult& result, double draftDegrees) {
     project.state = result.state;
-    project.cast = std::make_shared<const CastResult>(CastResult{result.cast, result.labels, result.state,
-                                                                 draftDegrees, result.change, result.limbs,
-                                                                 result.regions, result.before});
+    project.cast = std::make_shared<const CastResult>(
+        CastResult{result.cast, result.labels, result.state, draftDegrees, result.change, result.limbs,
+                   result.regions, result.before, result.steps});
     return project;
 }
 

@@ -12,11 +12,13 @@ namespace moldwright {
 /// The mesh as read, brought to millimetres and moved.
 [[nodiscard]] IndexedMesh placed(const IndexedMesh& source, const Placement& placement);
 
-/// A new project about a part; settings of design and mold are kept, everything about another part goes.
+/// A new project about a part; settings of design and mold are kept, everything about another part goes,
+/// other variants too.
 [[nodiscard]] Project withPart(Project project, std::string name, std::string sourceFile, SharedMesh source,
                                const Placement& placement);
 
-/// The part placed anew; plane, directions, their axis, pins and places of undercuts move with it.
+/// The part placed anew; plane, directions, their axis, pins and places of undercuts move with it, those of
+/// all variants.
 [[nodiscard]] Project withPlacement(Project project, const Placement& placement);
 
 /// Another mold state, chosen by hand (a drag) or found by the program.

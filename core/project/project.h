@@ -9,9 +9,11 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace moldwright {
 
@@ -52,17 +54,12 @@ struct CastResult {
     std::vector<LimbMeasure> limbs;
     std::vector<RegionMeasure> regions; ///< one for each of the project's; none in files of old
     Points before; ///< n×3, mm: where each point of mesh was before it was bent; none in files of old
+    int steps = 0; ///< that the run took; 0 where nobody counted them
 };
 
-/// The whole document as one value. Heavy meshes are shared and immutable, so a copy is cheap, an edit is a
-/// pure function Project → Project, and undo is exact. Derived things (draft analysis, mold, report) are not
-/// in it.
-struct Project {
-    std::string name;       ///< shown in the title; the part's name
-    std::string sourceFile; ///< where the part was read from, for people
-    SharedMesh source;      ///< as read: the file's numbers
-    Placement placement;
-    SharedMesh part;                ///< source placed, mm; null while no part is open
+/// One design of the part: what the designer decided, and what came of it.
+struct Variant {
+    std::string variantName = "A";
     std::optional<MoldState> state; ///< none until a plane was chosen
     bool planeChosenByHand = false;
     DesignSettings design;
@@ -71,6 +68,23 @@ struct Project {
     std::vector<ImportantRegion> importance; ///< where the part is to keep its shape
     std::shared_ptr<const CastResult> cast;  ///< none until a design finished
     MoldSettings mold;
+
+    /// Casts are equal where they are the same.
+    bool operator==(const Variant&) const = default;
+};
+
+/// The whole document as one value. Heavy meshes are shared and immutable, so a copy is cheap, an edit is a
+/// pure function Project → Project, and undo is exact. Derived things (draft analysis, mold, report) are not
+/// in it. Of several variants the current one is the project itself: what knows nothing of the others works
+/// on that one. See variants.h.
+struct Project : Variant {
+    std::string name;       ///< shown in the title; the part's name
+    std::string sourceFile; ///< where the part was read from, for people
+    SharedMesh source;      ///< as read: the file's numbers
+    Placement placement;
+    SharedMesh part;             ///< source placed, mm; null while no part is open
+    std::vector<Variant> others; ///< other designs of this part, in their order
+    std::size_t place = 0;       ///< of the current one among all: how many of the others come before it
 
     /// Meshes and casts are equal where they are the same.
     bool operator==(const Project&) const = default;

@@ -2,11 +2,13 @@
 #include "project/project_json.h"
 
 #include "project/mold_settings_json.h"
+#include "project/variants.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string_view>
 
 namespace moldwright {
@@ -125,7 +127,8 @@ Json json(const CastResult& cast) {
               {"volume_ratio", cast.change.volumeRatio},
               {"filled_volume_fraction", cast.change.filledVolumeFraction}}},
             {"limbs", limbs},
-            {"regions", regions}};
+            {"regions", regions},
+            {"steps", cast.steps}};
 }
 CastResult castResult(const Json& j) {
     CastResult cast;
@@ -143,58 +146,125 @@ CastResult castResult(const Json& j) {
         cast.regions.push_back({region.at("name").get<std::string>(), region.at("max_distance").get<double>(),
                                 region.at("rms_distance").get<double>(),
                                 region.at("strain_rms").get<double>(), region.at("kept").get<bool>()});
+    cast.steps = j.value("steps", 0);
     return cast;
+}
+
+Json json(const Variant& variant) {
+    Json result = {{"plane_chosen_by_hand", variant.planeChosenByHand},
+                   {"design", json(variant.design)},
+                   {"mold", moldSettingsJson(variant.mold)},
+                   {"pins", Json::array()}};
+    for (const Pin& pin : variant.pins)
+        result["pins"].push_back(json(pin.point));
+    if (!variant.undercuts.empty())
+        result["undercuts"] = Json::array();
+    for (const UndercutChoice& choice : variant.undercuts)
+        result["undercuts"].push_back(
+            {{"place", json(choice.place)}, {"treatment", nameOf(choice.treatment, treatmentNames)}});
+    if (!variant.importance.empty())
+        result["importance"] = Json::array();
+    for (const ImportantRegion& region : variant.importance)
+        result["importance"].push_back({{"name", region.name}, {"keep_within", region.keepWithin}});
+    if (variant.state)
+        result["state"] = json(*variant.state);
+    return result;
+}
+void readVariant(const Json& j, Variant& variant) {
+    variant.planeChosenByHand = j.at("plane_chosen_by_hand").get<bool>();
+    variant.design = designSettings(j.at("design"));
+    variant.mold = moldSettingsFrom(j.at("mold"));
+    for (const Json& pin : j.at("pins"))
+        variant.pins.push_back({vector(pin)});
+    for (const Json& choice : j.value("undercuts", Json::array()))
+        variant.undercuts.push_back(
+            {vector(choice.at("place")),
+             valueOf<UndercutChoice::Treatment>(choice.at("treatment"), treatmentNames)});
+    for (const Json& region : j.value("importance", Json::array()))
+        variant.importance.push_back(
+            {region.at("name").get<std::string>(), {}, {}, region.at("keep_within").get<double>()});
+    if (j.contains("state"))
+        variant.state = moldState(j.at("state"));
+}
+
+DescribedCast describedCast(const Json& j, std::size_t number) {
+    DescribedCast cast;
+    if (j.contains("cast"))
+        cast.own = castResult(j.at("cast"));
+    if (j.contains("cast_of")) {
+        cast.sameAs = j.at("cast_of").get<std::size_t>();
+        if (*cast.sameAs >= number)
+            throw Json::other_error::create(501, "a cast of a variant that is not read yet", &j);
+    }
+    return cast;
+}
+
+/// Names are what variants are told apart by.
+void requireNames(const Project& project, const Json& document) {
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < variantCount(project); ++i)
+        if (const std::string& name = variantAt(project, i).variantName;
+            name.empty() || !names.insert(name).second)
+            throw Json::other_error::create(501, "a name of two variants", &document);
 }
 
 } // namespace
 
+std::optional<std::size_t> sharedCast(const Project& project, std::size_t other) {
+    const auto& cast = project.others[other].cast;
+    if (!cast)
+        return std::nullopt;
+    if (cast == project.cast)
+        return 0;
+    for (std::size_t i = 0; i < other; ++i)
+        if (project.others[i].cast == cast)
+            return i + 1;
+    return std::nullopt;
+}
+
 nlohmann::ordered_json documentJson(const Project& project) {
-    Json document = {{"name", project.name},
-                     {"source_file", project.sourceFile},
-                     {"placement", json(project.placement)},
-                     {"plane_chosen_by_hand", project.planeChosenByHand},
-                     {"design", json(project.design)},
-                     {"mold", moldSettingsJson(project.mold)},
-                     {"pins", Json::array()}};
-    for (const Pin& pin : project.pins)
-        document["pins"].push_back(json(pin.point));
-    if (!project.undercuts.empty())
-        document["undercuts"] = Json::array();
-    for (const UndercutChoice& choice : project.undercuts)
-        document["undercuts"].push_back(
-            {{"place", json(choice.place)}, {"treatment", nameOf(choice.treatment, treatmentNames)}});
-    if (!project.importance.empty())
-        document["importance"] = Json::array();
-    for (const ImportantRegion& region : project.importance)
-        document["importance"].push_back({{"name", region.name}, {"keep_within", region.keepWithin}});
-    if (project.state)
-        document["state"] = json(*project.state);
+    Json document = {
+        {"name", project.name}, {"source_file", project.sourceFile}, {"placement", json(project.placement)}};
+    document.update(json(static_cast<const Variant&>(project)));
     if (project.cast)
         document["cast"] = json(*project.cast);
+    if (project.others.empty() && project.variantName == Variant().variantName)
+        return document;
+    document["variant"] = {{"name", project.variantName}, {"place", project.place}};
+    document["variants"] = Json::array();
+    for (std::size_t i = 0; i < project.others.size(); ++i) {
+        const Variant& other = project.others[i];
+        Json entry = {{"name", other.variantName}};
+        entry.update(json(other));
+        if (const auto shared = sharedCast(project, i))
+            entry["cast_of"] = *shared;
+        else if (other.cast)
+            entry["cast"] = json(*other.cast);
+        document["variants"].push_back(std::move(entry));
+    }
     return document;
 }
 
-void readDocument(const nlohmann::ordered_json& document, Project& project, std::optional<CastResult>& cast) {
+std::vector<DescribedCast> readDocument(const nlohmann::ordered_json& document, Project& project) {
     project.name = document.at("name").get<std::string>();
     project.sourceFile = document.at("source_file").get<std::string>();
     project.placement = placement(document.at("placement"));
-    project.planeChosenByHand = document.at("plane_chosen_by_hand").get<bool>();
-    project.design = designSettings(document.at("design"));
-    project.mold = moldSettingsFrom(document.at("mold"));
-    for (const Json& pin : document.at("pins"))
-        project.pins.push_back({vector(pin)});
-    if (document.contains("undercuts"))
-        for (const Json& choice : document.at("undercuts"))
-            project.undercuts.push_back(
-                {vector(choice.at("place")),
-                 valueOf<UndercutChoice::Treatment>(choice.at("treatment"), treatmentNames)});
-    for (const Json& region : document.value("importance", Json::array()))
-        project.importance.push_back(
-            {region.at("name").get<std::string>(), {}, {}, region.at("keep_within").get<double>()});
-    if (document.contains("state"))
-        project.state = moldState(document.at("state"));
-    if (document.contains("cast"))
-        cast = castResult(document.at("cast"));
+    readVariant(document, project);
+    std::vector<DescribedCast> casts = {describedCast(document, 0)};
+    // Files written before there were variants have one without a name.
+    if (document.contains("variant"))
+        project.variantName = document.at("variant").at("name").get<std::string>();
+    for (const Json& entry : document.value("variants", Json::array())) {
+        Variant& other = project.others.emplace_back();
+        other.variantName = entry.at("name").get<std::string>();
+        readVariant(entry, other);
+        casts.push_back(describedCast(entry, casts.size()));
+    }
+    if (document.contains("variant"))
+        project.place =
+            std::min(document.at("variant").at("place").get<std::size_t>(), project.others.size());
+    requireNames(project, document);
+    return casts;
 }
 
 } // namespace moldwright

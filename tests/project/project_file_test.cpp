@@ -5,11 +5,14 @@
 #include "project/binary_parts.h"
 #include "project/project_json.h"
 #include "project/some_project.h"
+#include "project/variant_parts.h"
+#include "project/variants.h"
 #include "support/folders.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 
@@ -18,6 +21,9 @@ using namespace moldwright::test;
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+const StoredProject variants = {someVariants(), "", ""};
 const StoredProject stored = {someProject(), R"({"camera": 1})", "not really a picture"};
 
 std::string bytesOf(const StoredProject& project) {
@@ -54,6 +60,62 @@ TEST(ProjectFile, KeepsAnEmptyProject) {
 TEST(ProjectFile, EqualProjectsGiveEqualBytes) {
     EXPECT_EQ(bytesOf(stored), bytesOf(stored));
     EXPECT_EQ(bytesOf(readProjectBytes(bytesOf(stored), "a").value()), bytesOf(stored));
+    EXPECT_EQ(bytesOf(readProjectBytes(bytesOf(variants), "a").value()), bytesOf(variants));
+}
+
+TEST(ProjectFile, KeepsAllVariants) {
+    const Result<StoredProject> back = readProjectBytes(bytesOf(variants), "box.moldwright");
+    ASSERT_TRUE(back.has_value()) << message(back);
+    EXPECT_TRUE(equal(back->project, variants.project));
+    EXPECT_EQ(variantNames(back->project), "flat back, B, C");
+    // Shared in memory again, and one part in the file.
+    EXPECT_EQ(back->project.cast, variantAt(back->project, 0).cast);
+    std::vector<ArchiveEntry> parts;
+    addVariantParts(parts, back->project);
+    EXPECT_EQ(std::ranges::count(parts, "variant-1-cast.mesh", &ArchiveEntry::name), 0);
+    EXPECT_EQ(std::ranges::count(parts, "variant-2-cast.mesh", &ArchiveEntry::name), 1);
+}
+
+TEST(ProjectFile, OneVariantIsWrittenAsItEverWas) {
+    Json document = documentJson(stored.project);
+    EXPECT_FALSE(document.contains("variant") || document.contains("variants"));
+    Project renamed = withVariantName(stored.project, 0, "tall");
+    const Result<StoredProject> back = readProjectBytes(bytesOf({renamed, "", ""}), "x");
+    ASSERT_TRUE(back.has_value()) << message(back);
+    EXPECT_EQ(back->project.variantName, "tall");
+}
+
+TEST(ProjectFile, ManifestListsVariantsWhereThereAreSeveral) {
+    const ScratchFolder folder;
+    ASSERT_TRUE(saveProject(folder.path() / "v.moldwright", variants).has_value());
+    const Json manifest = Json::parse(projectManifest(folder.path() / "v.moldwright").value());
+    ASSERT_EQ(manifest["variants"].size(), 3U);
+    EXPECT_EQ(manifest["variants"][0]["name"], "flat back");
+    EXPECT_EQ(manifest["variants"][1]["current"], true);
+    EXPECT_EQ(manifest["variants"][2]["cast"]["faces"], manifest["cast"]["faces"]);
+    ASSERT_TRUE(saveProject(folder.path() / "s.moldwright", stored).has_value());
+    EXPECT_FALSE(Json::parse(projectManifest(folder.path() / "s.moldwright").value()).contains("variants"));
+}
+
+TEST(ProjectFile, VariantsThatContradictEachOtherAreRefused) {
+    const auto readWith = [](const auto& change) {
+        Json document = documentJson(variants.project);
+        change(document);
+        std::vector<ArchiveEntry> entries = {
+            {"mimetype", "application/vnd.moldwright.project", true},
+            {"manifest.json",
+             R"({"format": "moldwright-project", "version": 1, "minReader": 1, "name": "x", "part": {}})"},
+            {"document.json", document.dump()},
+            {"part.mesh", meshPart(*variants.project.source)}};
+        addVariantParts(entries, variants.project);
+        return message(readProjectBytes(archiveBytes(entries).value(), "x"));
+    };
+    EXPECT_EQ(readWith([](Json&) {}), "");
+    EXPECT_EQ(readWith([](Json& document) { document["variant"]["place"] = 99; }), "");
+    EXPECT_NE(readWith([](Json& document) { document["variants"][1]["name"] = "B"; }), "");
+    EXPECT_NE(readWith([](Json& document) { document["variants"][0]["cast_of"] = 1; }), "");
+    EXPECT_NE(readWith([](Json& document) { document["variants"][0].erase("design"); }), "");
+    EXPECT_NE(readWith([](Json& document) { document["variants"] = 3; }), "");
 }
 
 TEST(ProjectFile, WeightsOfFilesWithoutNamesBecomeARegion) {
@@ -142,16 +204,18 @@ TEST(ProjectFile, APartThatInflatesBeyondItsLimitIsRefused) {
 }
 
 TEST(ProjectFile, FlippedBitsNeverCrashNorPassUnseen) {
-    const std::string whole = bytesOf(stored);
-    std::mt19937 random(1);
-    for (int i = 0; i < 1000; ++i) {
-        std::string bytes = whole;
-        bytes[random() % bytes.size()] ^= static_cast<char>(1U << random() % 8);
-        const Result<StoredProject> back = readProjectBytes(bytes, "flipped");
-        if (back)
-            EXPECT_TRUE(equal(back->project, stored.project)) << i;
-        else
-            EXPECT_EQ(back.error().code, ErrorCode::BadInput);
+    for (const StoredProject& saved : {stored, variants}) {
+        const std::string whole = bytesOf(saved);
+        std::mt19937 random(1);
+        for (int i = 0; i < 1000; ++i) {
+            std::string bytes = whole;
+            bytes[random() % bytes.size()] ^= static_cast<char>(1U << random() % 8);
+            const Result<StoredProject> back = readProjectBytes(bytes, "flipped");
+            if (back)
+                EXPECT_TRUE(equal(back->project, saved.project)) << i;
+            else
+                EXPECT_EQ(back.error().code, ErrorCode::BadInput);
+        }
     }
 }
 

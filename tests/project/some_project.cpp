@@ -3,7 +3,10 @@
 
 #include "castability/certificate.h"
 #include "project/edits.h"
+#include "project/variants.h"
 #include "support/casts.h"
+
+#include <algorithm>
 
 namespace moldwright::test {
 
@@ -18,7 +21,7 @@ bool equal(const std::shared_ptr<const CastResult>& a, const std::shared_ptr<con
         return a == b;
     return equal(a->mesh, b->mesh) && a->labels == b->labels && a->state == b->state &&
            a->draftDegrees == b->draftDegrees && a->change.meanDistance == b->change.meanDistance &&
-           a->change.filledVolumeFraction == b->change.filledVolumeFraction &&
+           a->change.filledVolumeFraction == b->change.filledVolumeFraction && a->steps == b->steps &&
            a->before.rows() == b->before.rows() && a->before == b->before && a->regions == b->regions &&
            a->limbs.size() == b->limbs.size() &&
            (a->limbs.empty() || (a->limbs.back().tip == b->limbs.back().tip &&
@@ -68,12 +71,32 @@ Project someProject() {
     return project;
 }
 
-bool equal(const Project& a, const Project& b) {
-    return a.name == b.name && a.sourceFile == b.sourceFile && equal(a.source, b.source) &&
-           a.placement == b.placement && equal(a.part, b.part) && a.state == b.state &&
+Project someVariants() {
+    Project project = withDuplicate(someProject(), 0); // shares the cast
+    project = withVariantName(project, 0, "flat back");
+    project = withFreshVariant(project);
+    project.importance = {{"nose", {2, 5}, {4, 8}, 0.5}};
+    project.pins = {{{7, 8, 9}}};
+    CastResult cast = *variantAt(project, 0).cast;
+    cast.steps = 31;
+    cast.mesh = std::make_shared<const IndexedMesh>(IndexedMesh{2 * cast.mesh->V, cast.mesh->F});
+    project.cast = std::make_shared<const CastResult>(cast);
+    return withVariant(project, 1);
+}
+
+bool equal(const Variant& a, const Variant& b) {
+    return a.variantName == b.variantName && a.state == b.state &&
            a.planeChosenByHand == b.planeChosenByHand && a.design == b.design && a.pins == b.pins &&
            a.undercuts == b.undercuts && a.importance == b.importance && equal(a.cast, b.cast) &&
            a.mold == b.mold;
+}
+
+bool equal(const Project& a, const Project& b) {
+    return a.name == b.name && a.sourceFile == b.sourceFile && equal(a.source, b.source) &&
+           a.placement == b.placement && equal(a.part, b.part) && a.place == b.place &&
+           equal(static_cast<const Variant&>(a), b) &&
+           std::ranges::equal(a.others, b.others,
+                              [](const Variant& x, const Variant& y) { return equal(x, y); });
 }
 
 } // namespace moldwright::test

@@ -9,7 +9,11 @@ namespace moldwright::test {
 /// cast, pins and weights.
 Project someProject();
 
+/// The same in three variants, the one in the middle current: the first two share a cast, the last has its own.
+Project someVariants();
+
 /// Equal in every value, meshes by content.
+bool equal(const Variant& a, const Variant& b);
 bool equal(const Project& a, const Project& b);
 
 } // namespace moldwright::test

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/variant_comparison.h"
+
+#include "project/variants.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace moldwright {
+
+VariantComparison::VariantComparison(QObject* parent)
+    : QObject(parent), m_thread(QStringLiteral("variants")) {
+    connect(&m_analysis, &LiveAnalysis::answered, this, [this](const auto& answer) {
+        m_answer = answer;
+        Q_EMIT changed();
+    });
+}
+
+VariantComparison::~VariantComparison() {
+    const std::lock_guard lock(m_mutex);
+    m_waiting.clear();
+}
+
+void VariantComparison::follow(const Project& project) {
+    const std::string before = m_project.variantName;
+    m_project = project;
+    if (!m_compared.empty() && m_compared == project.variantName)
+        m_compared = before;
+    if (!compared())
+        m_compared.clear();
+    forgetOld();
+    ask();
+    measureMissing();
+}
+
+void VariantComparison::forgetOld() {
+    // They hold on to casts that nothing else may need any more.
+    std::erase_if(m_known, [&](const auto& known) {
+        for (std::size_t i = 0; i < variantCount(m_project); ++i)
+            if (known->key == keyOf(i))
+                return false;
+        return true;
+    });
+}
+
+VariantComparison::Key VariantComparison::keyOf(std::size_t number) const {
+    const Variant& variant = variantAt(m_project, number);
+    return {m_project.part, variant.cast, variant.mold};
+}
+
+void VariantComparison::compareWith(std::optional<std::size_t> number) {
+    m_compared = number && *number != m_project.place ? variantAt(m_project, *number).variantName : "";
+    ask();
+    Q_EMIT changed();
+}
+
+std::optional<std::size_t> VariantComparison::compared() const {
+    const auto number = m_compared.empty() ? std::nullopt : variantNamed(m_project, m_compared);
+    return number == m_project.place ? std::nullopt : number;
+}
+
+const Variant* VariantComparison::other() const {
+    const auto number = compared();
+    return number ? &variantAt(m_project, *number) : nullptr;
+}
+
+void VariantComparison::ask() {
+    const Variant* shown = other();
+    if (!shown || !m_project.part) {
+        m_asked = {};
+        m_answer.reset();
+        return;
+    }
+    const CastResult* cast = shown->cast.get();
+    const AnalysisRequest request{cast ? cast->mesh : m_project.part, shown->state,
+                                  shown->design.draftDegrees, cast ? cast->labels : SideLabels()};
+    if (request.mesh == m_asked.mesh && request.state == m_asked.state &&
+        request.draftDegrees == m_asked.draftDegrees)
+        return;
+    m_asked = request;
+    m_analysis.ask(request);
+}
+
+const AnalysisAnswer* VariantComparison::answer() const {
+    return m_answer && m_answer->request.mesh == m_asked.mesh ? m_answer.get() : nullptr;
+}
+
+const VariantFigures* VariantComparison::figures(std::size_t number) const {
+    const Key key = keyOf(number);
+    const auto found = std::ranges::find_if(m_known, [&](const auto& known) { return known->key == key; });
+    return found != m_known.end() ? &(*found)->figures : nullptr;
+}
+
+void VariantComparison::setWanted(bool wanted) {
+    if (wanted == m_wanted)
+        return;
+    m_wanted = wanted;
+    measureMissing();
+}
+
+void VariantComparison::measureMissing() {
+    std::vector<Key> missing;
+    if (m_project.part && (m_wanted || !m_project.others.empty()))
+        for (std::size_t i = 0; i < variantCount(m_project); ++i)
+            if (variantAt(m_project, i).cast && !figures(i))
+                missing.push_back(keyOf(i));
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waiting = missing;
+    }
+    if (!missing.empty())
+        m_thread.post([this] { work(); });
+}
+
+void VariantComparison::work() {
+    Key key;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_waiting.empty())
+            return; // newer requests took the place of the one that woke this
+        key = std::move(m_waiting.front());
+        m_waiting.erase(m_waiting.begin());
+    }
+    Variant variant;
+    variant.cast = key.cast;
+    variant.mold = key.mold;
+    const auto known = std::make_shared<const Known>(Known{key, variantFigures(*key.part, variant)});
+    QMetaObject::invokeMethod(this, [this, known] {
+        m_known.push_back(known);
+        measureMissing();
+        Q_EMIT changed();
+    });
+}
+
+} // namespace moldwright
