@@ -764,10 +764,6 @@
         <translation>Gewähltes &amp;entfernen</translation>
     </message>
     <message>
-        <source>Remove the pin or the region that is chosen.</source>
-        <translation>Den gewählten Heftpunkt oder die gewählte Region entfernen.</translation>
-    </message>
-    <message>
         <source>P&amp;aint importance</source>
         <translation>Wichtigkeit &amp;malen</translation>
     </message>
@@ -886,6 +882,74 @@
     <message>
         <source>Run anew from the shape, plane and settings of the frame in view.</source>
         <translation>Neu laufen, von Form, Ebene und Vorgaben des gezeigten Bildes aus.</translation>
+    </message>
+    <message>
+        <source>&amp;New variant</source>
+        <translation>&amp;Neue Variante</translation>
+    </message>
+    <message>
+        <source>Begin another design of this part, without pins and regions.</source>
+        <translation>Einen weiteren Entwurf dieses Teils beginnen, ohne Heftpunkte und Regionen.</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the variant</source>
+        <translation>Variante &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>Work on a copy of this design; the other stays as it is.</source>
+        <translation>An einer Kopie dieses Entwurfs arbeiten; der andere bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Make &amp;current</source>
+        <translation>Zur a&amp;ktuellen machen</translation>
+    </message>
+    <message>
+        <source>Go on with the variant that is chosen.</source>
+        <translation>Mit der gewählten Variante weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>Next &amp;variant</source>
+        <translation>Nächste &amp;Variante</translation>
+    </message>
+    <message>
+        <source>Go on with the next variant of this part.</source>
+        <translation>Mit der nächsten Variante dieses Teils weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>Previous v&amp;ariant</source>
+        <translation>Vorige V&amp;ariante</translation>
+    </message>
+    <message>
+        <source>Go on with the variant before this one.</source>
+        <translation>Mit der Variante vor dieser weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>C&amp;ompare</source>
+        <translation>Ver&amp;gleichen</translation>
+    </message>
+    <message>
+        <source>Show another variant beside the current one, and how far their casts are apart.</source>
+        <translation>Eine andere Variante neben der aktuellen zeigen, und wie weit ihre Güsse auseinander liegen.</translation>
+    </message>
+    <message>
+        <source>R&amp;ename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Give the variant that is chosen another name.</source>
+        <translation>Der gewählten Variante einen anderen Namen geben.</translation>
+    </message>
+    <message>
+        <source>Differe&amp;nce</source>
+        <translation>Unters&amp;chied</translation>
+    </message>
+    <message>
+        <source>Paint how far the casts of two compared variants are apart, in mm.</source>
+        <translation>Zeigen, wie weit die Güsse zweier verglichener Varianten auseinander liegen, in mm.</translation>
+    </message>
+    <message>
+        <source>Remove the pin, the region or the variant that is chosen.</source>
+        <translation>Den gewählten Heftpunkt, die Region oder die Variante entfernen.</translation>
     </message>
 </context>
 <context>
@@ -1252,6 +1316,10 @@
     <message>
         <source>{0} cannot be read.</source>
         <translation>{0} lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>{0} has no variant {1}. It has: {2}.</source>
+        <translation>{0} hat keine Variante {1}. Es hat: {2}.</translation>
     </message>
 </context>
 <context>
@@ -2700,6 +2768,10 @@
         <source>The part bends; plane, pins and draft may change meanwhile. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
         <translation>Das Teil verformt sich; Ebene, Heftpunkte und Schräge dürfen sich dabei ändern. &lt;b&gt;Leertaste&lt;/b&gt; hält es an, &lt;b&gt;Strg+.&lt;/b&gt; bricht ab.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Return&lt;/b&gt; makes the chosen variant the current one, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates it, &lt;b&gt;F2&lt;/b&gt; renames it, &lt;b&gt;Del&lt;/b&gt; removes it. %1</source>
+        <translation>&lt;b&gt;Eingabe&lt;/b&gt; macht die gewählte Variante zur aktuellen, &lt;b&gt;Strg+D&lt;/b&gt; dupliziert sie, &lt;b&gt;F2&lt;/b&gt; benennt sie um, &lt;b&gt;Entf&lt;/b&gt; entfernt sie. %1</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -3241,6 +3313,30 @@
         <source>Go on from step %1</source>
         <translation>Von Schritt %1 weiter</translation>
     </message>
+    <message>
+        <source>Variant %1</source>
+        <translation>Variante %1</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 duplizieren</translation>
+    </message>
+    <message>
+        <source>%1 is a copy of %2, and the current variant now.</source>
+        <translation>%1 ist eine Kopie von %2 und jetzt die aktuelle Variante.</translation>
+    </message>
+    <message>
+        <source>New variant</source>
+        <translation>Neue Variante</translation>
+    </message>
+    <message>
+        <source>%1 is a new variant, without pins and regions, and the current one now.</source>
+        <translation>%1 ist eine neue Variante ohne Heftpunkte und Regionen und jetzt die aktuelle.</translation>
+    </message>
+    <message>
+        <source>There is a variant %1 already. Take another name.</source>
+        <translation>Es gibt schon eine Variante %1. Nehmen Sie einen anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -3295,6 +3391,10 @@
         <source>What the faces of this view show</source>
         <translation>Was die Flächen dieser Ansicht zeigen</translation>
     </message>
+    <message>
+        <source>Compared variant</source>
+        <translation>Verglichene Variante</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -3325,6 +3425,10 @@
     <message>
         <source>Importance</source>
         <translation>Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
     </message>
 </context>
 <context>
@@ -3404,6 +3508,18 @@
     <message>
         <source>No undercut</source>
         <translation>Kein Hinterschnitt</translation>
+    </message>
+    <message>
+        <source>mm between both casts</source>
+        <translation>mm zwischen beiden Güssen</translation>
+    </message>
+    <message>
+        <source>Needs another variant: Compare shows one.</source>
+        <translation>Braucht eine andere Variante: Vergleichen zeigt eine.</translation>
+    </message>
+    <message>
+        <source>Needs a cast in both variants.</source>
+        <translation>Braucht einen Guss in beiden Varianten.</translation>
     </message>
 </context>
 <context>
@@ -3996,6 +4112,92 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>Schritt %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>VariantPages</name>
+    <message>
+        <source>not run</source>
+        <translation>nicht gerechnet</translation>
+    </message>
+    <message>
+        <source>not castable</source>
+        <translation>nicht gießbar</translation>
+    </message>
+    <message>
+        <source>Castable</source>
+        <translation>Gießbar</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>Kleinste Schräge</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Farthest, mm</source>
+        <translation>Größte Abw., mm</translation>
+    </message>
+    <message>
+        <source>RMS, mm</source>
+        <translation>RMS, mm</translation>
+    </message>
+    <message>
+        <source>Filled, cm³</source>
+        <translation>Gefüllt, cm³</translation>
+    </message>
+    <message>
+        <source>Block, mm</source>
+        <translation>Block, mm</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eine</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Varianten</translation>
+    </message>
+    <message>
+        <source>Several designs of this part in one project.</source>
+        <translation>Mehrere Entwürfe dieses Teils in einem Projekt.</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Distances are to the part, after the best rigid fit; the bold one is the current one, which all other pages show.</source>
+        <translation>Abstände sind die zum Teil, nach bester starrer Lage; die fette Variante ist die aktuelle, die alle anderen Seiten zeigen.</translation>
+    </message>
+    <message>
+        <source>One design so far. Duplicate it to try another plane, other pins or weights, and to compare both.</source>
+        <translation>Bisher ein Entwurf. Duplizieren Sie ihn, um eine andere Ebene, andere Heftpunkte oder Gewichte zu versuchen und beide zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>aktuell, %1</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::FigureTable</name>
+    <message>
+        <source>%1, the current one</source>
+        <translation>%1, die aktuelle</translation>
     </message>
 </context>
 </TS>

@@ -764,10 +764,6 @@
         <translation>移除所选(&amp;R)</translation>
     </message>
     <message>
-        <source>Remove the pin or the region that is chosen.</source>
-        <translation>移除选中的固定点或区域。</translation>
-    </message>
-    <message>
         <source>P&amp;aint importance</source>
         <translation>绘制重要性(&amp;A)</translation>
     </message>
@@ -887,6 +883,74 @@
         <source>Run anew from the shape, plane and settings of the frame in view.</source>
         <translation>从所示帧的形状、分型面和设置重新运行。</translation>
     </message>
+    <message>
+        <source>&amp;New variant</source>
+        <translation>新建变型(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Begin another design of this part, without pins and regions.</source>
+        <translation>为此零件开始另一个设计，不带固定点和区域。</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the variant</source>
+        <translation>复制变型(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Work on a copy of this design; the other stays as it is.</source>
+        <translation>在此设计的副本上工作；原来的保持不变。</translation>
+    </message>
+    <message>
+        <source>Make &amp;current</source>
+        <translation>设为当前(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Go on with the variant that is chosen.</source>
+        <translation>继续处理选中的变型。</translation>
+    </message>
+    <message>
+        <source>Next &amp;variant</source>
+        <translation>下一个变型(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Go on with the next variant of this part.</source>
+        <translation>继续处理此零件的下一个变型。</translation>
+    </message>
+    <message>
+        <source>Previous v&amp;ariant</source>
+        <translation>上一个变型(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Go on with the variant before this one.</source>
+        <translation>继续处理前一个变型。</translation>
+    </message>
+    <message>
+        <source>C&amp;ompare</source>
+        <translation>比较(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show another variant beside the current one, and how far their casts are apart.</source>
+        <translation>在当前变型旁显示另一个变型，以及两个铸件相距多远。</translation>
+    </message>
+    <message>
+        <source>R&amp;ename</source>
+        <translation>重命名(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Give the variant that is chosen another name.</source>
+        <translation>给选中的变型另取名称。</translation>
+    </message>
+    <message>
+        <source>Differe&amp;nce</source>
+        <translation>差异(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Paint how far the casts of two compared variants are apart, in mm.</source>
+        <translation>按两个被比较变型的铸件相距多远着色，单位 mm。</translation>
+    </message>
+    <message>
+        <source>Remove the pin, the region or the variant that is chosen.</source>
+        <translation>移除选中的固定点、区域或变型。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -917,6 +981,10 @@
     <message>
         <source>Importance</source>
         <translation>重要性</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
     </message>
 </context>
 <context>
@@ -996,6 +1064,18 @@
     <message>
         <source>Largest</source>
         <translation>最大</translation>
+    </message>
+    <message>
+        <source>mm between both casts</source>
+        <translation>mm，两个铸件之间</translation>
+    </message>
+    <message>
+        <source>Needs another variant: Compare shows one.</source>
+        <translation>需要另一个变型：“比较”可显示。</translation>
+    </message>
+    <message>
+        <source>Needs a cast in both variants.</source>
+        <translation>两个变型都需要有铸件。</translation>
     </message>
 </context>
 <context>
@@ -1515,6 +1595,10 @@
     <message>
         <source>{0} cannot be read.</source>
         <translation>无法读取 {0}。</translation>
+    </message>
+    <message>
+        <source>{0} has no variant {1}. It has: {2}.</source>
+        <translation>{0} 中没有变型 {1}。其中有：{2}。</translation>
     </message>
 </context>
 <context>
@@ -3098,6 +3182,10 @@
         <source>The part bends; plane, pins and draft may change meanwhile. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
         <translation>零件正在变形；其间可更改分型面、固定点和拔模角。&lt;b&gt;空格键&lt;/b&gt;暂停，&lt;b&gt;Ctrl+.&lt;/b&gt; 停止。</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Return&lt;/b&gt; makes the chosen variant the current one, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates it, &lt;b&gt;F2&lt;/b&gt; renames it, &lt;b&gt;Del&lt;/b&gt; removes it. %1</source>
+        <translation>&lt;b&gt;回车&lt;/b&gt;把选中的变型设为当前，&lt;b&gt;Ctrl+D&lt;/b&gt; 复制，&lt;b&gt;F2&lt;/b&gt; 重命名，&lt;b&gt;Del&lt;/b&gt; 移除。%1</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -3431,6 +3519,10 @@
     <message>
         <source>Free view</source>
         <translation>自由视图</translation>
+    </message>
+    <message>
+        <source>Compared variant</source>
+        <translation>被比较的变型</translation>
     </message>
 </context>
 <context>
@@ -3811,6 +3903,30 @@
         <source>Go on from step %1</source>
         <translation>从第 %1 步继续</translation>
     </message>
+    <message>
+        <source>Variant %1</source>
+        <translation>变型 %1</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>复制 %1</translation>
+    </message>
+    <message>
+        <source>%1 is a copy of %2, and the current variant now.</source>
+        <translation>%1 是 %2 的副本，现在是当前变型。</translation>
+    </message>
+    <message>
+        <source>New variant</source>
+        <translation>新建变型</translation>
+    </message>
+    <message>
+        <source>%1 is a new variant, without pins and regions, and the current one now.</source>
+        <translation>%1 是新变型，没有固定点和区域，现在是当前变型。</translation>
+    </message>
+    <message>
+        <source>There is a variant %1 already. Take another name.</source>
+        <translation>已有变型 %1。请取另一个名称。</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -3996,6 +4112,92 @@
     <message>
         <source>Step %1 of %2</source>
         <translation>第 %1 步，共 %2 步</translation>
+    </message>
+</context>
+<context>
+    <name>VariantPages</name>
+    <message>
+        <source>not run</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>not castable</source>
+        <translation>不可铸造</translation>
+    </message>
+    <message>
+        <source>Castable</source>
+        <translation>可铸造</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>最小拔模角</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>应变</translation>
+    </message>
+    <message>
+        <source>Farthest, mm</source>
+        <translation>最大偏差，mm</translation>
+    </message>
+    <message>
+        <source>RMS, mm</source>
+        <translation>均方根，mm</translation>
+    </message>
+    <message>
+        <source>Filled, cm³</source>
+        <translation>填充，cm³</translation>
+    </message>
+    <message>
+        <source>Block, mm</source>
+        <translation>模块，mm</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步数</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>一个</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>变型</translation>
+    </message>
+    <message>
+        <source>Several designs of this part in one project.</source>
+        <translation>一个项目中同一零件的多个设计。</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>并排比较</translation>
+    </message>
+    <message>
+        <source>Distances are to the part, after the best rigid fit; the bold one is the current one, which all other pages show.</source>
+        <translation>距离是最佳刚性配准后到零件的距离；粗体的是当前变型，其他页面显示的都是它。</translation>
+    </message>
+    <message>
+        <source>One design so far. Duplicate it to try another plane, other pins or weights, and to compare both.</source>
+        <translation>目前只有一个设计。复制它即可尝试另一个分型面、其他固定点或权重，并比较两者。</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>当前，%1</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::FigureTable</name>
+    <message>
+        <source>%1, the current one</source>
+        <translation>%1，当前变型</translation>
     </message>
 </context>
 </TS>

@@ -22,6 +22,7 @@ struct MoldJob {
     MoldOptions mold;
     std::vector<std::string> also;
     std::string material;
+    std::string variant;
 };
 
 /// What a material's value is, and where it comes from.
@@ -78,10 +79,10 @@ void describe(const Mold& mold, std::ostream& out) {
 
 Result<ExitCode> build(const MoldJob& job, const Session& session) {
     session.task().progress(0, "Reading");
-    Result<StoredProject> stored = openProjectOrFolder(job.input);
-    if (!stored)
-        return std::unexpected(stored.error());
-    Project& project = stored->project;
+    Result<Project> opened = projectAt(job.input, job.variant);
+    if (!opened)
+        return std::unexpected(opened.error());
+    Project& project = *opened;
     if (!project.cast)
         return failure(ErrorCode::BadInput, MW_TEXT("cli", "{0} holds no finished cast. Run design first."),
                        {job.input});
@@ -145,6 +146,7 @@ Command moldCommand() {
                    "--material", job->material,
                    "Takes shrink, formula and density from the table of materials; options given go first")
                 ->type_name("NAME");
+            addVariantOption(app, job->variant);
             job->mold.declare(app);
             return Action([job](const Session& session) { return build(*job, session); });
         }};

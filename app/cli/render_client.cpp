@@ -97,8 +97,10 @@ Result<RenderedReport> answerIn(const ExchangeFolder& folder, int status) {
     if (WEXITSTATUS(status) != 0) {
         const std::string complaint = folder.text("complaint");
         const std::string sentence = complaint.substr(complaint.rfind('\n') + 1);
-        return failure(WEXITSTATUS(status) == 3 ? ErrorCode::BadInput : ErrorCode::Worker,
-                       MW_TEXT("cli", "The report was not written. {0}"), {sentence});
+        const ErrorCode code = WEXITSTATUS(status) == 2   ? ErrorCode::Usage
+                               : WEXITSTATUS(status) == 3 ? ErrorCode::BadInput
+                                                          : ErrorCode::Worker;
+        return failure(code, MW_TEXT("cli", "The report was not written. {0}"), {sentence});
     }
     const Json answer = Json::parse(folder.text("answer"), nullptr, false);
     if (!answer.is_object())
@@ -108,12 +110,13 @@ Result<RenderedReport> answerIn(const ExchangeFolder& folder, int status) {
 
 } // namespace
 
-Result<RenderedReport> renderReport(const fs::path& project, const fs::path& pdf, const Task& task) {
+Result<RenderedReport> renderReport(const fs::path& project, const std::string& variant, const fs::path& pdf,
+                                    const Task& task) {
     const ExchangeFolder folder;
     if (!folder.made())
         return failure(ErrorCode::WriteFailed, MW_TEXT("cli", "No temporary folder could be made."));
-    std::ofstream(folder.file("order.json"))
-        << Json{{"task", "report"}, {"project", project.string()}, {"out", pdf.string()}};
+    std::ofstream(folder.file("order.json")) << Json{
+        {"task", "report"}, {"project", project.string()}, {"out", pdf.string()}, {"variant", variant}};
     const pid_t pid = start(folder);
     if (pid == 0)
         return failure(ErrorCode::Worker,

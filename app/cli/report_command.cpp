@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/report_command.h"
 
+#include "cli/open_project.h"
 #include "cli/render_client.h"
 
 #include <CLI/CLI.hpp>
@@ -14,11 +15,13 @@ namespace {
 struct ReportOptions {
     std::string input;
     std::string output;
+    std::string variant;
 };
 
 Result<ExitCode> report(const ReportOptions& options, const Session& session) {
     session.task().progress(0, "Writing the report");
-    const Result<RenderedReport> rendered = renderReport(options.input, options.output, session.task());
+    const Result<RenderedReport> rendered =
+        renderReport(options.input, options.variant, options.output, session.task());
     if (!rendered)
         return std::unexpected(rendered.error());
     session.task().progress(1, "Writing the report");
@@ -35,7 +38,8 @@ Result<ExitCode> report(const ReportOptions& options, const Session& session) {
 
 constexpr const char* manual =
     "Two A4 pages: part, cast and draft map, plane and directions, draft by area, volumes, the\n"
-    "mold, and the certificate. Needs no display; moldwright-render draws it.\n"
+    "mold, and the certificate; with several variants a third with their figures side by side. Needs\n"
+    "no display; moldwright-render draws it.\n"
     "\n"
     "JSON: pages, file, missing_pictures (why, or empty).\n"
     "\n"
@@ -50,6 +54,7 @@ Command reportCommand() {
             auto options = std::make_shared<ReportOptions>();
             app.add_option("IN", options->input, "Project file (.moldwright)")->type_name("FILE")->required();
             app.add_option("--out", options->output, "The PDF to write")->type_name("FILE")->required();
+            addVariantOption(app, options->variant);
             return Action([options](const Session& session) { return report(*options, session); });
         }};
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "render/job.h"
 
+#include "project/project_file.h"
+#include "project/variants.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -45,6 +48,13 @@ SurfaceLook lookIn(const nlohmann::json& order) {
 
 } // namespace
 
+Result<Project> projectOf(const Job& job) {
+    Result<StoredProject> stored = openProject(job.source);
+    if (!stored)
+        return std::unexpected(stored.error());
+    return atVariant(std::move(stored->project), job.variant, job.source.filename().string());
+}
+
 Result<Job> readJob(const std::string& json) {
     const auto refused = [] {
         return failure(ErrorCode::Usage, MW_TEXT("Pictures", "The picture program was given an order that it "
@@ -62,6 +72,7 @@ Result<Job> readJob(const std::string& json) {
         if (ofMesh)
             job.look = lookIn(parsed);
         job.out = parsed.at("out").get<std::string>();
+        job.variant = parsed.value("variant", "");
         job.width = std::clamp(parsed.value("width", job.width), 16, largestPicture);
         job.height = std::clamp(parsed.value("height", job.height), 16, largestPicture);
         job.look.width = job.width;
@@ -76,6 +87,7 @@ std::string jobText(const Job& job) {
     return nlohmann::json{{"task", taskNames.at(static_cast<std::size_t>(job.task))},
                           {"project", job.source.string()},
                           {"out", job.out.string()},
+                          {"variant", job.variant},
                           {"width", job.width},
                           {"height", job.height}}
         .dump();

@@ -2,7 +2,7 @@
 #include "render/program.h"
 
 #include "exchange/mesh_file.h"
-#include "project/project_file.h"
+#include "project/pipeline.h"
 #include "render/pictures.h"
 #include "render/report_job.h"
 
@@ -45,15 +45,15 @@ Result<void> drawMesh(const Job& job) {
 Result<void> draw(const Job& job) {
     if (job.task == Job::Task::Surface)
         return drawMesh(job);
-    const Result<StoredProject> stored = openProject(job.source);
-    if (!stored)
-        return std::unexpected(stored.error());
+    const Result<Project> project = projectOf(job);
+    if (!project)
+        return std::unexpected(project.error());
     if (job.task == Job::Task::Thumbnail)
-        return drawThumbnail(stored->project, job.out, job.width, job.height);
-    const Result<Evaluation> evaluation = evaluate(stored->project);
+        return drawThumbnail(*project, job.out, job.width, job.height);
+    const Result<Evaluation> evaluation = evaluate(*project);
     if (!evaluation)
         return std::unexpected(evaluation.error());
-    return drawReportPictures(stored->project, *evaluation, job.out);
+    return drawReportPictures(*project, *evaluation, job.out);
 }
 
 int exitCodeOf(ErrorCode code) {

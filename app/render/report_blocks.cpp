@@ -4,6 +4,7 @@
 #include "report/figures.h"
 #include "scene/colours.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace moldwright::render {
@@ -77,6 +78,23 @@ double drawSection(Paper& paper, double x, double y, double w, const ReportSecti
         paper.line(x, y, x + w, y, 0.5, ink::hairline);
     }
     return y;
+}
+
+double drawTable(Paper& paper, double y, const ReportTable& table) {
+    const double w = (Paper::right - Paper::left) / static_cast<double>(table.columns.size());
+    const auto row = [&](const std::vector<std::string>& cells, const Type& type) {
+        double tall = 0;
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            tall = std::max(tall, paper.text(Paper::left + static_cast<double>(c) * w, y + 0.9, w - 1.5,
+                                             words(cells[c]), type, c == 0 ? Qt::AlignLeft : Qt::AlignRight));
+        y += tall + 1.7;
+        paper.line(Paper::left, y, Paper::right, y, 0.5, ink::hairline);
+    };
+    y += paper.text(Paper::left, y, 120, words(table.title), {10, true}) + 1.2;
+    row(table.columns, {7.5, false, ink::secondary});
+    for (std::size_t r = 0; r < table.rows.size(); ++r)
+        row(table.rows[r], {8, r == table.strongRow});
+    return y + 2 + paper.text(Paper::left, y + 2, 180, words(table.note), caption);
 }
 
 double drawPicture(Paper& paper, const QRectF& area, const QImage& image, const QString& name,

@@ -17,6 +17,9 @@ void drawFooter(Paper& paper, const ReportData& data, int page, int pages);
 /// A heading and rows of label and value with hairlines between; a value may have several lines.
 double drawSection(Paper& paper, double x, double y, double w, const ReportSection& section);
 
+/// A heading, a row of column names and the rows, across the page; the note below.
+double drawTable(Paper& paper, double y, const ReportTable& table);
+
 /// A picture above a hairline and its caption: a bold name, then words.
 double drawPicture(Paper& paper, const QRectF& area, const QImage& image, const QString& name,
                    const QString& words);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "render/report_job.h"
 
-#include "project/project_file.h"
 #include "project/project_report.h"
 #include "render/report_pdf.h"
 #include "report/sha256.h"
@@ -46,14 +45,13 @@ std::string bytesOf(const std::filesystem::path& file) {
 } // namespace
 
 Result<ReportAnswer> writeReport(const Job& job) {
-    const Result<StoredProject> stored = openProject(job.source);
-    if (!stored)
-        return std::unexpected(stored.error());
-    const Result<Evaluation> evaluation = evaluate(stored->project);
+    const Result<Project> project = projectOf(job);
+    if (!project)
+        return std::unexpected(project.error());
+    const Result<Evaluation> evaluation = evaluate(*project);
     if (!evaluation)
         return std::unexpected(evaluation.error());
-    const ReportData data =
-        projectReport(stored->project, *evaluation, sha256(bytesOf(job.source)), reportDate());
+    const ReportData data = projectReport(*project, *evaluation, sha256(bytesOf(job.source)), reportDate());
     const QTemporaryDir folder;
     ReportAnswer answer;
     answer.missingPictures = orderPictures(job, folder);

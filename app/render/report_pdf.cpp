@@ -10,9 +10,13 @@ namespace moldwright::render {
 
 namespace {
 
-constexpr int pageCount = 2;
 constexpr double column = 86.3; ///< width of one of two columns, mm
 constexpr double second = Paper::right - column;
+
+/// A table of variants has a page of its own.
+int pageCount(const ReportData& data) {
+    return data.variants ? 3 : 2;
+}
 
 QString words(const std::string& text) {
     return QString::fromStdString(text);
@@ -88,7 +92,7 @@ void drawFirstPage(Paper& paper, const ReportData& data, const std::filesystem::
                    .arg(data.openItems.empty() ? QStringLiteral("none")
                                                : QStringLiteral("%1, see page 2").arg(data.openItems.size())),
                {7.5, false, ink::secondary});
-    drawFooter(paper, data, 1, pageCount);
+    drawFooter(paper, data, 1, pageCount(data));
 }
 
 double drawChecks(Paper& paper, const QString& title, const std::vector<ReportCheck>& checks, double y) {
@@ -181,7 +185,7 @@ void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem:
     y = drawDefaults(paper, data, y) + 5;
     drawOpenItems(paper, data, y);
     drawSignOff(paper, 258);
-    drawFooter(paper, data, 2, pageCount);
+    drawFooter(paper, data, 2, pageCount(data));
 }
 
 } // namespace
@@ -204,6 +208,12 @@ Result<int> writeReportPdf(const ReportData& data, const std::filesystem::path& 
     drawFirstPage(paper, data, pictures);
     paper.newPage();
     drawSecondPage(paper, data, pictures);
+    if (data.variants) {
+        paper.newPage();
+        drawHeader(paper, data, QStringLiteral("Variants"));
+        drawTable(paper, 28, *data.variants);
+        drawFooter(paper, data, 3, pageCount(data));
+    }
     std::error_code error;
     if (!paper.close())
         return failed();

@@ -25,7 +25,10 @@ enum class Needs {
     SuggestedPlane,
     SuggestedTips,
     Pins,
-    ChosenGuide,
+    ChosenGuide,  ///< or a variant that may go
+    Variants,     ///< several, and idle
+    Comparable,   ///< several
+    OtherVariant, ///< one that is not the current one is chosen, and idle
     Regions,
     FillableObstruction,
     CastShape,

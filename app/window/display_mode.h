@@ -11,12 +11,22 @@
 namespace moldwright {
 
 /// What the faces are painted by: red undercuts, classes of draft, a map of numbers, or painted importance.
-enum class DisplayMode { Undercuts, DraftMap, UndercutDepth, Deviation, Strain, Importance, Plain };
-inline constexpr int displayModeCount = 7;
+enum class DisplayMode {
+    Undercuts,
+    DraftMap,
+    UndercutDepth,
+    Deviation,
+    Difference,
+    Strain,
+    Importance,
+    Plain
+};
+inline constexpr int displayModeCount = 8;
 
 /// What a view shows of the part: the newest shape (a run's, the cast, or the part while there is no other),
-/// or the part as it was opened.
-enum class ViewContent { Newest, Part };
+/// the part as it was opened, or the variant that is compared with the current one (while none is: the newest
+/// shape).
+enum class ViewContent { Newest, Part, Compared };
 
 /// Where a view is cut open.
 struct SectionCut {

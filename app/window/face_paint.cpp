@@ -96,9 +96,10 @@ QString unitOf(DisplayMode mode) {
 }
 
 QString noteOf(DisplayMode mode) {
-    return mode == DisplayMode::Deviation ? Words::tr("mm, after best fit")
-           : mode == DisplayMode::Strain  ? Words::tr("%, both stretches together")
-                                          : Words::tr("mm along the removal direction");
+    return mode == DisplayMode::Deviation    ? Words::tr("mm, after best fit")
+           : mode == DisplayMode::Difference ? Words::tr("mm between both casts")
+           : mode == DisplayMode::Strain     ? Words::tr("%, both stretches together")
+                                             : Words::tr("mm along the removal direction");
 }
 
 QString titleOf(DisplayMode mode) {
@@ -125,14 +126,19 @@ scene::PanelContent mapLegend(const FaceMap& map) {
 scene::PanelContent missingMap(const Workbench& bench, const ShownSurface& surface, DisplayMode mode) {
     scene::PanelContent legend;
     legend.title = titleOf(mode).toStdString();
-    const auto& cast = bench.project().cast;
+    const auto& cast = surface.variant->cast;
+    const Variant* other = bench.variants().other();
     if (bench.running())
         addNote(legend, Words::tr("Shown once the run has ended."));
     else if (!needsCast(mode))
         addNote(legend, bench.shownState() ? Words::tr("Measuring") : Words::tr("Needs a parting plane."));
+    else if (mode == DisplayMode::Difference && !other)
+        addNote(legend, Words::tr("Needs another variant: Compare shows one."));
+    else if (mode == DisplayMode::Difference && !(other->cast && bench.project().cast))
+        addNote(legend, Words::tr("Needs a cast in both variants."));
     else if (!cast)
         addNote(legend, Words::tr("Needs a cast: Run makes one."));
-    else if (cast->before.rows() == 0)
+    else if (mode != DisplayMode::Difference && cast->before.rows() == 0)
         addNote(legend, Words::tr("The file is of an older version: run again."));
     else if (mode == DisplayMode::Strain && surface.drawn->mesh != cast->mesh)
         addNote(legend, Words::tr("Shown on the cast only."));
@@ -143,8 +149,7 @@ scene::PanelContent missingMap(const Workbench& bench, const ShownSurface& surfa
 
 } // namespace
 
-FacePaint paintFor(const Workbench& bench, const ShownSurface& surface, DisplayMode mode,
-                   const FaceMap* map) {
+FacePaint paintFor(const ShownSurface& surface, DisplayMode mode, const FaceMap* map) {
     FacePaint paint;
     if (map) {
         paint.faces = byValue(map->values, *map);
@@ -152,7 +157,7 @@ FacePaint paintFor(const Workbench& bench, const ShownSurface& surface, DisplayM
         return paint;
     }
     const DisplayMode shown = isMap(mode) ? DisplayMode::Plain : mode;
-    const double required = bench.project().design.draftDegrees;
+    const double required = surface.variant->design.draftDegrees;
     if (!surface.coarse)
         paint.faces = byDraft(surface.drawn->mesh->F.rows(), surface.analysis, required, shown);
     if (surface.drawn->standIn)
@@ -171,7 +176,7 @@ scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surfac
         return missingMap(bench, surface, mode);
     if (!surface.analysis)
         return {};
-    const double required = bench.project().design.draftDegrees;
+    const double required = surface.variant->design.draftDegrees;
     return mode == DisplayMode::Undercuts
                ? undercutLegend(*surface.analysis, bench.figures(surface.drawn->mesh).area, required)
                : draftLegend(*surface.analysis, *surface.analysed(), required);

@@ -19,8 +19,7 @@ struct FacePaint {
     std::vector<scene::Rgb> faces;
     std::vector<scene::Rgb> standIn; ///< of its stand-in
 };
-[[nodiscard]] FacePaint paintFor(const Workbench& bench, const ShownSurface& surface, DisplayMode mode,
-                                 const FaceMap* map);
+[[nodiscard]] FacePaint paintFor(const ShownSurface& surface, DisplayMode mode, const FaceMap* map);
 
 /// What the colours mean, with units, and the area of each class.
 [[nodiscard]] scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surface,

@@ -24,6 +24,8 @@ std::vector<double> valuesFor(const MapRequest& request) {
         Deviation both = deviation(*request.part, *request.cast->mesh, request.cast->before);
         return request.content == ViewContent::Part ? std::move(both.ofPart) : std::move(both.ofCast);
     }
+    case DisplayMode::Difference:
+        return castDifference(surface, request.cast->before, *request.other->mesh, request.other->before);
     case DisplayMode::Undercuts:
     case DisplayMode::DraftMap:
     case DisplayMode::Importance:
@@ -33,6 +35,17 @@ std::vector<double> valuesFor(const MapRequest& request) {
     return {};
 }
 
+/// Two casts beside each other are painted by one scale.
+scene::ValueScale scaleOf(const MapRequest& request, std::vector<double> values) {
+    if (request.mode == DisplayMode::Difference) {
+        const std::vector<double> back = castDifference(*request.other->mesh, request.other->before,
+                                                        *request.surface, request.cast->before);
+        values.insert(values.end(), back.begin(), back.end());
+        std::ranges::sort(values); // both ways alike, also where the scale's sums are rounded
+    }
+    return scene::scaleFor(values);
+}
+
 } // namespace
 
 bool isMap(DisplayMode mode) {
@@ -40,13 +53,13 @@ bool isMap(DisplayMode mode) {
 }
 
 bool needsCast(DisplayMode mode) {
-    return mode == DisplayMode::Deviation || mode == DisplayMode::Strain;
+    return mode == DisplayMode::Deviation || mode == DisplayMode::Difference || mode == DisplayMode::Strain;
 }
 
-bool MapRequest::operator==(const MapRequest& other) const {
-    const bool same = mode == other.mode && content == other.content && surface == other.surface;
-    return same && (needsCast(mode) ? part == other.part && cast == other.cast
-                                    : state == other.state && draftDegrees == other.draftDegrees);
+bool MapRequest::operator==(const MapRequest& that) const {
+    const bool same = mode == that.mode && content == that.content && surface == that.surface;
+    return same && (needsCast(mode) ? part == that.part && cast == that.cast && other == that.other
+                                    : state == that.state && draftDegrees == that.draftDegrees);
 }
 
 FaceMap faceMap(const MapRequest& request) {
@@ -54,7 +67,7 @@ FaceMap faceMap(const MapRequest& request) {
     map.request = request;
     map.values = valuesFor(request);
     const IndexedMesh& mesh = *request.surface;
-    map.scale = scene::scaleFor(map.values);
+    map.scale = scaleOf(request, map.values);
     for (int f = 0; f < mesh.faceCount(); ++f) {
         const bool free = request.mode == DisplayMode::UndercutDepth && map.values[f] == 0;
         (free ? map.freeArea : map.areas[map.scale.classOf(map.values[f])]) +=

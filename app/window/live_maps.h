@@ -24,8 +24,9 @@ struct MapRequest {
     SharedMesh surface; ///< what is painted
     SharedMesh standIn; ///< its coarse stand-in; null for none
     SharedMesh part;
-    std::shared_ptr<const CastResult> cast; ///< null for undercut depths
-    MoldState state;                        ///< for undercut depths only
+    std::shared_ptr<const CastResult> cast;  ///< null for undercut depths
+    std::shared_ptr<const CastResult> other; ///< for a difference only: the cast it is from
+    MoldState state;                         ///< for undercut depths only
     double draftDegrees = 1;
 
     bool operator==(const MapRequest& other) const;
@@ -43,7 +44,7 @@ struct FaceMap {
     Eigen::Vector3d largestPlace = Eigen::Vector3d::Zero(); ///< mm
 };
 
-/// Whether a mode paints a map of numbers, and whether it needs a cast.
+/// Whether a mode paints a map of numbers, and whether it needs a cast, or two.
 [[nodiscard]] bool isMap(DisplayMode mode);
 [[nodiscard]] bool needsCast(DisplayMode mode);
 

@@ -12,6 +12,7 @@
 #include "panels/step_button.h"
 #include "panels/workflow_bar.h"
 #include "project/edits.h"
+#include "project/variants.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
 #include "window/importance_pages.h"
@@ -23,6 +24,7 @@
 #include "window/property_pages.h"
 #include "window/tour.h"
 #include "window/undercut_pages.h"
+#include "window/variant_pages.h"
 #include "window/workbench.h"
 
 #include <QDialog>
@@ -57,6 +59,9 @@ QString stillThere(const QString& selected, const Workbench& bench) {
     if (isGone(obstructionNumber(selected), bench.obstructions().size()) ||
         isGone(undercutNumber(selected), bench.undercuts().size()))
         return u"deform"_s;
+    const std::size_t variants = variantCount(bench.document().committed());
+    if (isGone(variantNumber(selected), variants) || (variants == 1 && variantNumber(selected) >= 0))
+        return allVariantsId();
     if (isGone(pinNumber(selected), bench.project().pins.size()))
         return u"pins"_s;
     return isGone(regionNumber(selected), bench.project().importance.size()) ? allRegionsId() : selected;
@@ -143,6 +148,7 @@ void MainWindow::refresh() {
     m_frames->setSteps(steps, m_bench.keptFrame());
     m_frames->setEnabled(m_bench.editable());
     m_plots->setMarked(m_bench.keptFrame() < 0 ? 0 : m_bench.frame()->frame.step);
+    followComparison();
     refreshViews();
     refreshHistory();
     refreshActions();
@@ -190,7 +196,12 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::SuggestedTips,
         editable && std::ranges::count(m_bench.suggestionsInView(), PinKind::Tip, &SuggestedPin::kind) > 0);
     add(Needs::Pins, editable && !project.pins.empty());
-    add(Needs::ChosenGuide, editable && (pinNumber(m_selected) >= 0 || regionNumber(m_selected) >= 0));
+    const bool variant = idle && variantNumber(m_selected) >= 0;
+    add(Needs::ChosenGuide,
+        variant || (editable && (pinNumber(m_selected) >= 0 || regionNumber(m_selected) >= 0)));
+    add(Needs::Comparable, !project.others.empty());
+    add(Needs::Variants, idle && !project.others.empty());
+    add(Needs::OtherVariant, variant && variantNumber(m_selected) != static_cast<int>(project.place));
     add(Needs::Regions, idle && !project.importance.empty());
     add(Needs::FillableObstruction, idle && !m_bench.placesToFill(obstructionNumber(m_selected)).empty());
     add(Needs::CastShape, idle && project.cast != nullptr);
@@ -258,6 +269,10 @@ void MainWindow::refreshHint() {
         m_hint->setText(
             tr("<b>B</b> takes the brush; <b>F2</b> renames the region, <b>Del</b> removes it. %1")
                 .arg(keys));
+    else if (variantsChosen(m_selected))
+        m_hint->setText(tr("<b>Return</b> makes the chosen variant the current one, <b>Ctrl+D</b> duplicates "
+                           "it, <b>F2</b> renames it, <b>Del</b> removes it. %1")
+                            .arg(keys));
     else if (moldShown())
         m_hint->setText(tr("<b>X</b> opens and closes the mold. %1").arg(keys));
     else
@@ -271,6 +286,8 @@ void MainWindow::refreshProperties(bool evenIfSame) {
         return;
     m_properties->showPage(propertyPage(m_selected, m_bench, m_actions), evenIfSame);
     fillPage(*m_properties, m_bench);
+    m_bench.variants().setWanted(variantsChosen(m_selected));
+    fillVariantPage(*m_properties, m_selected, m_bench);
 }
 
 void MainWindow::select(const QString& id) {

@@ -45,6 +45,8 @@ struct FaceMap;
 struct OpenedMesh;
 struct ShownSurface;
 
+enum class ViewLayout;
+
 /// What a click on the part does.
 enum class Tool {
     None,
@@ -136,6 +138,14 @@ private:
     void usePaintTool();
     [[nodiscard]] QString paintHint() const;
 
+    // main_window_variants.cpp
+    void connectVariantActions();
+    void compareVariants();
+    void endComparison();
+    void followComparison();
+    void chooseVariantNow(int variant);
+    void showRowMenu(const QString& id, const QPoint& place);
+
     // main_window_views.cpp
     void buildViews(QWidget* parent);
     void connectPane(ViewPane& pane);
@@ -147,10 +157,14 @@ private:
     void refreshViews();
     void refreshNextView();
     void refreshView(ViewPane& pane);
-    void showGuides(scene::Scene& scene, const ShownSurface& surface);
+    void showGuides(ViewPane& pane, const ShownSurface& surface);
     void showSurface(PartView& view, const ShownSurface& surface, DisplayMode mode, const FaceMap* map);
     void showCut(ViewPane& pane);
-    [[nodiscard]] std::vector<scene::Chip> chipsIn(const scene::Scene& scene, const FaceMap* map) const;
+    [[nodiscard]] std::vector<scene::Chip> chipsIn(const ViewPane& pane, const FaceMap* map) const;
+    [[nodiscard]] std::vector<scene::Chip> directionChips(const ViewPane& pane) const;
+    [[nodiscard]] std::vector<scene::Chip> guideChips(const scene::Scene& scene) const;
+    /// Whether a view shows another variant than the current one.
+    [[nodiscard]] bool showsOther(const ViewPane& pane) const;
     void showMold(scene::Scene& scene, bool shown);
     [[nodiscard]] bool moldShown() const;
     void useLook();
@@ -212,7 +226,8 @@ private:
     Banner* m_banner = nullptr;
     ViewBar* m_viewBar = nullptr;
     ViewArea* m_views = nullptr;
-    PartView* m_view = nullptr; ///< the active one
+    PartView* m_view = nullptr;  ///< the active one
+    ViewLayout m_layoutBefore{}; ///< of the views, while variants are compared
     MeasureTool* m_measure = nullptr;
     PaintTool* m_paint = nullptr;
     std::optional<DisplayMode> m_modeBefore; ///< of the active view, while a tool that paints is in hand

@@ -27,6 +27,7 @@
 #include "window/tour.h"
 #include "window/turn_dialog.h"
 #include "window/turntable.h"
+#include "window/variant_pages.h"
 #include "window/view_area.h"
 #include "window/view_bar.h"
 #include "window/view_pane.h"
@@ -57,6 +58,8 @@ namespace {
 void rename(Workbench& bench, const QString& id, const QString& name) {
     if (const int region = regionNumber(id); region >= 0)
         bench.renameRegion(region, name);
+    else if (const int variant = variantNumber(id); variant >= 0)
+        bench.renameVariant(variant, name);
     else
         bench.rename(name);
 }
@@ -70,6 +73,7 @@ void MainWindow::connectActions() {
     connectPartActions();
     connectPinActions();
     connectImportanceActions();
+    connectVariantActions();
     connectDesignActions();
     connectWindowActions();
     // The actions' own keys work wherever the focus is in the window, in menus or not.
@@ -256,6 +260,8 @@ void MainWindow::connectPanels() {
         applyProperty(m_bench, m_properties->pageId(), id, value, true);
     });
     connect(m_properties, &PropertyPanel::committed, this, [this](const QString& id, const QVariant& value) {
+        if (id == allVariantsId())
+            return select(variantId(value.toInt()));
         applyProperty(m_bench, m_properties->pageId(), id, value, false);
     });
     connect(m_messages, &MessageList::showMe, this,
@@ -376,6 +382,8 @@ void MainWindow::escape() {
             return;
     if (m_tool == Tool::None && m_tour)
         Q_EMIT m_tour->ended();
+    else if (m_tool == Tool::None)
+        endComparison();
     useTool(Tool::None);
 }
 

@@ -11,6 +11,7 @@
 #include "window/measure_tool.h"
 #include "window/paint_tool.h"
 #include "window/pin_pages.h"
+#include "window/variant_pages.h"
 #include "window/view_area.h"
 #include "window/view_pane.h"
 #include "window/workbench.h"
@@ -208,6 +209,8 @@ void MainWindow::connectPinActions() {
     m_actions.on(u"suggest-pins"_s, [this] { m_bench.suggestPins(); });
     m_actions.on(u"accept-tips"_s, [this] { m_bench.acceptTips(); });
     m_actions.on(u"remove-guide"_s, [this] {
+        if (const int variant = variantNumber(m_selected); variant >= 0)
+            return m_bench.removeVariant(variant);
         const int region = regionNumber(m_selected);
         if (region < 0)
             m_bench.removePin(pinNumber(m_selected));

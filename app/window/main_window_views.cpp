@@ -21,7 +21,6 @@
 #include <QMenu>
 
 #include <algorithm>
-#include <iterator>
 
 namespace moldwright {
 
@@ -35,12 +34,6 @@ QString layoutCommand(ViewLayout layout) {
     return layout == ViewLayout::One   ? u"one-view"_s
            : layout == ViewLayout::Two ? u"two-views"_s
                                        : u"four-views"_s;
-}
-
-/// Whether a chip tells of the crease: where one decides on it.
-bool creaseTold(const QString& selected, const scene::SharpestCrease& crease) {
-    return crease.degrees >= 1 &&
-           (selected == u"plane"_s || selected.startsWith(u"direction"_s) || selected == u"cast"_s);
 }
 
 scene::PanelContent legendIn(DisplayMode mode, const Workbench& bench, const ShownSurface& surface,
@@ -136,6 +129,7 @@ void MainWindow::connectViewActions() {
                  [this] { m_view->setPerspective(m_actions[u"perspective"_s]->isChecked()); });
     for (const ViewLayout layout : layouts)
         m_actions.on(layoutCommand(layout), [this, layout] {
+            m_bench.variants().compareWith({});
             m_views->setViewLayout(layout);
             refreshSoon();
         });
@@ -235,11 +229,11 @@ void MainWindow::refreshView(ViewPane& pane) {
     PartView& view = pane.view();
     scene::Scene& scene = view.scene();
     const bool inMold = moldShown() && settings.content == ViewContent::Newest;
-    view.setEditable(!inMold && m_bench.editable());
+    view.setEditable(!inMold && !showsOther(pane) && m_bench.editable());
     const ShownSurface surface = m_bench.surface(settings.content);
     if (m_bench.shownMesh() && !surface.drawn)
         return; // the last picture stays until the next one can be drawn
-    scene.setState(surface.drawn ? m_bench.shownState() : std::nullopt);
+    scene.setState(surface.drawn ? m_bench.stateIn(settings.content) : std::nullopt);
     const FaceMap* map = m_bench.map(settings.content, settings.mode);
     showSurface(view, surface, settings.mode, map);
     if (surface.picker)
@@ -257,15 +251,20 @@ void MainWindow::refreshView(ViewPane& pane) {
                            : legendIn(settings.mode, m_bench, surface, map, m_visible));
     view.setBrushRadius(m_tool == Tool::Paint ? m_bench.brushRadius() : 0);
     scene.setStateChip(stateChipFor(m_bench, settings.content));
-    scene.setChips(surface.drawn && !inMold ? chipsIn(scene, map) : std::vector<scene::Chip>());
+    scene.setChips(surface.drawn && !inMold ? chipsIn(pane, map) : std::vector<scene::Chip>());
     const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
     scene.setPath(measured ? m_measure->measurement().path() : m_planePoints);
-    showGuides(scene, surface);
+    showGuides(pane, surface);
     view.redraw();
 }
 
-void MainWindow::showGuides(scene::Scene& scene, const ShownSurface& surface) {
-    const bool onPart = surface.drawn && surface.drawn->mesh == m_bench.project().part;
+bool MainWindow::showsOther(const ViewPane& pane) const {
+    return pane.settings().content == ViewContent::Compared && m_bench.variants().other();
+}
+
+void MainWindow::showGuides(ViewPane& pane, const ShownSurface& surface) {
+    scene::Scene& scene = pane.view().scene();
+    const bool onPart = !showsOther(pane) && surface.drawn && surface.drawn->mesh == m_bench.project().part;
     const bool onFrame = surface.drawn && m_bench.frame() && surface.drawn->mesh == m_bench.shownMesh();
     const bool suggested = onPart && m_visible.suggestedPins && pinsChosen(m_selected);
     scene.setPins((onPart || onFrame) && m_visible.pins ? shownPins(m_bench, m_selected, suggested, m_visible)
@@ -283,58 +282,25 @@ void MainWindow::showSurface(PartView& view, const ShownSurface& surface, Displa
     view.setCoarse(surface.coarse);
     view.setLive(m_bench.running() && !m_bench.resting());
     const FacePaint paint = mode == DisplayMode::Importance ? importancePaint(m_bench, surface, m_visible)
-                                                            : paintFor(m_bench, surface, mode, map);
+                                                            : paintFor(surface, mode, map);
     scene.setFaceColours(paint.faces);
     scene.setStandInColours(paint.standIn);
-}
-
-std::vector<scene::Chip> MainWindow::chipsIn(const scene::Scene& scene, const FaceMap* map) const {
-    // Marks first: their numbers are those of the obstructions.
-    std::vector<scene::Chip> chips = marksOf(m_bench.obstructions(), obstructionNumber(m_selected));
-    const std::vector<scene::Chip> undercuts = undercutMarks(m_bench, m_selected);
-    chips.insert(chips.end(), undercuts.begin(), undercuts.end());
-    if (const auto state = m_bench.shownState(); state && m_visible.directions && !m_modeBefore)
-        for (const int side : {1, 2})
-            chips.push_back(
-                {scene.arrowTip(side),
-                 {{},
-                  {{std::nullopt,
-                    {{std::to_string(side), side == 1 ? scene::Ink::Side1 : scene::Ink::Side2, true},
-                     {tr("%1 to plane normal").arg(angleText(tiltDegrees(*state, side))).toStdString()}},
-                    {}}}}});
-    if (const scene::SharpestCrease& crease = scene.sharpestCrease(); creaseTold(m_selected, crease))
-        chips.push_back(
-            {crease.place,
-             {{},
-              {{std::nullopt, {{tr("Crease up to %1").arg(angleText(crease.degrees)).toStdString()}}, {}}}}});
-    if (scene.surface() && scene.surface()->mesh == m_bench.project().part && m_visible.pins)
-        std::ranges::copy(pinChips(m_bench, m_selected), std::back_inserter(chips));
-    if (scene.surface() && regionsChosen(m_selected) && !m_modeBefore)
-        std::ranges::copy(regionChips(m_bench, scene.surface()->mesh, m_visible, m_selected),
-                          std::back_inserter(chips));
-    for (const Eigen::Vector3d& point : m_planePoints)
-        chips.push_back({point, {}, scene.colours().accent});
-    if (map)
-        if (const auto largest = largestOf(*map))
-            chips.push_back(*largest);
-    if (scene.surface() && m_measure->measurement().isOf(scene.surface()->mesh))
-        std::ranges::copy(m_measure->measurement().chips(scene.colours().accent), std::back_inserter(chips));
-    return chips;
 }
 
 void MainWindow::showCut(ViewPane& pane) {
     ViewSettings settings = pane.settings();
     auto& cut = settings.cut;
+    const std::optional<MoldState> state = m_bench.stateIn(settings.content);
     scene::Scene& scene = pane.view().scene();
-    if (const auto plane = cut && !cut->flipped ? planeOf(*cut, m_bench.shownState()) : std::nullopt) {
+    if (const auto plane = cut && !cut->flipped ? planeOf(*cut, state) : std::nullopt) {
         cut->flipped = plane->normal.dot(pane.view().camera().backwards()) < 0;
         pane.setSettings(settings);
     }
-    scene.setCut(cut ? planeOf(*cut, m_bench.shownState()) : std::nullopt);
+    scene.setCut(cut ? planeOf(*cut, state) : std::nullopt);
     if (!cut || !scene.surface() || !scene.cut())
         return;
     // Where the section lies is counted along the plane's own normal, whichever side stays.
-    const PartingPlane from = *planeOf({cut->across, 0, false}, m_bench.shownState());
+    const PartingPlane from = *planeOf({cut->across, 0, false}, state);
     const Eigen::VectorXd along = (scene.surface()->bounds() * from.normal).array() - from.offset;
     pane.setCutRange(along.minCoeff(), along.maxCoeff());
 }

@@ -3,11 +3,13 @@
 
 #include "mesh/measures.h"
 #include "project/edits.h"
+#include "project/variants.h"
 #include "theme/theme.h"
 #include "window/importance_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/undercut_pages.h"
+#include "window/variant_pages.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -243,6 +245,7 @@ std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& vi
     if (!bench.project().part)
         return rows;
     addPartRows(rows, bench, visible);
+    addVariantRows(rows, bench);
     if (bench.project().state)
         addPlaneRows(rows, bench, visible);
     addPinRows(rows, bench, visible);
@@ -303,8 +306,12 @@ Verdict verdictOf(const Workbench& bench) {
 }
 
 scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content) {
+    const Project& project = bench.project();
+    const Variant* other = content == ViewContent::Compared ? bench.variants().other() : nullptr;
     QString words;
-    if (content == ViewContent::Part)
+    if (other)
+        words = other->cast ? Words::tr("Cast") : Words::tr("Part as opened");
+    else if (content == ViewContent::Part)
         words = Words::tr("Part as opened");
     else if (bench.running())
         words = !bench.frame()    ? Words::tr("Starting")
@@ -316,7 +323,8 @@ scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content) {
         words = Words::tr("Cast");
     else
         words = Words::tr("Part as opened");
-    return {{}, {{std::nullopt, {{words.toStdString()}}, {}}}};
+    const std::string name = other ? other->variantName : project.others.empty() ? "" : project.variantName;
+    return {{}, {{std::nullopt, {{name, {}, true}, {words.toStdString()}}, {}}}};
 }
 
 } // namespace moldwright

@@ -8,6 +8,7 @@
 #include "window/presentation.h"
 #include "window/sentence.h"
 #include "window/undercut_pages.h"
+#include "window/variant_pages.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -302,6 +303,8 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
         return undercutPage(undercutNumber(selected), bench, actions);
     if (pinsChosen(selected))
         return pinPage(pinNumber(selected), bench, actions);
+    if (variantsChosen(selected))
+        return variantPage(bench, actions);
     if (regionsChosen(selected))
         return regionPage(regionNumber(selected), bench, actions);
     if (selected == u"deform"_s)

@@ -23,7 +23,12 @@ VariantComparison::~VariantComparison() {
 
 void VariantComparison::follow(const Project& project) {
     const std::string before = m_project.variantName;
+    const auto number = compared();
+    const bool renamed =
+        number && !variantNamed(project, m_compared) && variantCount(project) == variantCount(m_project);
     m_project = project;
+    if (renamed)
+        m_compared = variantAt(project, *number).variantName;
     if (!m_compared.empty() && m_compared == project.variantName)
         m_compared = before;
     if (!compared())

@@ -40,20 +40,25 @@ bool isCurrent(const Workbench& bench, int number) {
     return number == static_cast<int>(bench.document().committed().place);
 }
 
-/// How a variant stands, in a word.
-QString standingOf(const Workbench& bench, int number) {
+QString resultOf(const Workbench& bench, int number) {
     if (!variantOf(bench, number).cast)
         return Words::tr("not run");
     const VariantFigures* figures = figuresOf(bench, number);
-    return !figures             ? u"…"_s
+    return !figures            ? u"…"_s
            : figures->castable ? draftText(figures->worstDraftDegrees)
                                : Words::tr("not castable");
 }
 
+/// How a variant stands, in a word.
+QString standingOf(const Workbench& bench, int number) {
+    const QString result = resultOf(bench, number);
+    return isCurrent(bench, number) ? Words::tr("current, %1").arg(result) : result;
+}
+
 QStringList rowNames() {
-    return {Words::tr("Castable"),          Words::tr("Worst draft"),  Words::tr("Strain"),
-            Words::tr("Farthest, mm"),      Words::tr("RMS, mm"),      Words::tr("Filled, cm³"),
-            Words::tr("Block, mm"),         Words::tr("Steps")};
+    return {Words::tr("Castable"),     Words::tr("Worst draft"), Words::tr("Strain"),
+            Words::tr("Farthest, mm"), Words::tr("RMS, mm"),     Words::tr("Filled, cm³"),
+            Words::tr("Block, mm"),    Words::tr("Steps")};
 }
 
 QString fixed(double value, int decimals) {
@@ -69,7 +74,8 @@ QStringList cells(const VariantFigures& figures) {
             fixed(figures.largestDistance, 2),
             figures.rmsDistance ? fixed(*figures.rmsDistance, 2) : none,
             fixed(figures.filledVolume / 1000, 2),
-            block ? u"%1×%2×%3"_s.arg(fixed(block->x(), 0), fixed(block->y(), 0), fixed(block->z(), 0)) : none,
+            block ? u"%1×%2×%3"_s.arg(fixed(block->x(), 0), fixed(block->y(), 0), fixed(block->z(), 0))
+                  : none,
             figures.steps > 0 ? QString::number(figures.steps) : none};
 }
 
@@ -124,7 +130,7 @@ void addVariantRows(std::vector<ProjectRow>& rows, const Workbench& bench) {
     for (int i = 0; i < count; ++i)
         rows.push_back({.id = variantId(i),
                         .parent = parent,
-                        .iconName = isCurrent(bench, i) ? u"check"_s : u"result"_s,
+                        .iconName = u"result"_s,
                         .tint = isCurrent(bench, i) ? std::optional(theme().palette.color(QPalette::Link))
                                                     : std::nullopt,
                         .name = nameOf(variantOf(bench, i)),
@@ -141,11 +147,10 @@ PropertyPage variantPage(const Workbench& bench, const Actions& actions) {
                       Words::tr("Several designs of this part in one project."),
                       {}};
     page.layout = count > 1 ? u"several"_s : QString();
-    PropertySection table{
-        Words::tr("Side by side"),
-        {Property{u"variants"_s, Words::tr("Variants"), {}, TableProperty{rowNames()}}},
-        {actions[u"choose-variant"_s], actions[u"compare-variants"_s]},
-        true};
+    PropertySection table{Words::tr("Side by side"),
+                          {Property{u"variants"_s, Words::tr("Variants"), {}, TableProperty{rowNames()}}},
+                          {actions[u"choose-variant"_s], actions[u"compare-variants"_s]},
+                          true};
     table.notes = {Words::tr("Distances are to the part, after the best rigid fit; the bold one is the "
                              "current one, which all other pages show.")};
     PropertySection edits{{},

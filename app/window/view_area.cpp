@@ -27,8 +27,11 @@ constexpr std::array<std::array<int, 2>, 4> places = {{{0, 0}, {0, 1}, {1, 0}, {
 
 std::map<ViewLayout, std::vector<ViewSettings>> firstSettings() {
     const ViewSettings part{.content = ViewContent::Part};
+    const ViewSettings mine{.mode = DisplayMode::Difference};
+    const ViewSettings other{.content = ViewContent::Compared, .mode = DisplayMode::Difference};
     return {{ViewLayout::One, std::vector<ViewSettings>(1)},
             {ViewLayout::Two, {part, ViewSettings()}},
+            {ViewLayout::Compared, {mine, other}},
             {ViewLayout::Four, std::vector<ViewSettings>(4)}};
 }
 
@@ -113,8 +116,9 @@ void ViewArea::place() {
     m_grid->activate();
     for (std::size_t i = m_shown.size(); i < m_panes.size(); ++i)
         m_panes[i]->view().scene().setSurface(nullptr, {}); // what is not in sight need not be held
-    // Of the part and its cast it is the cast that is worked on, of four the view that can be turned.
-    activate(m_shown.size() > 1 ? m_shown[1] : m_shown[0]);
+    // Of the part and its cast it is the cast that is worked on, of two variants the current one, of four the
+    // view that can be turned.
+    activate(m_shown.size() > 1 && m_layout != ViewLayout::Compared ? m_shown[1] : m_shown[0]);
 }
 
 void ViewArea::turnToPlaces() {
@@ -143,7 +147,7 @@ void ViewArea::fitAll() {
         farthest = std::max(farthest, shown->view().camera().distance);
     }
     for (ViewPane* shown : m_shown)
-        if (m_linked) {
+        if (linked()) {
             scene::Camera camera = shown->view().camera();
             camera.distance = farthest;
             shown->view().followCamera(camera);
@@ -165,13 +169,13 @@ void ViewArea::setActiveSettings(const ViewSettings& settings) {
 }
 
 void ViewArea::setLinked(bool linked) {
-    m_linked = linked;
+    (m_layout == ViewLayout::Compared ? m_comparedLinked : m_linked) = linked;
     if (linked)
         follow(*m_active);
 }
 
 void ViewArea::follow(const ViewPane& moved) {
-    if (!m_linked || m_following)
+    if (!linked() || m_following)
         return;
     const QScopedValueRollback following(m_following, true);
     const scene::Camera& camera = moved.view().camera();
@@ -193,6 +197,8 @@ bool ViewArea::showsPart() const {
 QByteArray ViewArea::saved() const {
     QJsonObject all{{u"layout"_s, static_cast<int>(m_layout)}, {u"linked"_s, m_linked}};
     for (const auto& [layout, settings] : m_settings) {
+        if (layout == ViewLayout::Compared)
+            continue;
         QJsonArray views;
         for (std::size_t i = 0; i < settings.size(); ++i)
             views.append(jsonOf(layout == m_layout ? m_shown[i]->settings() : settings[i]));

@@ -15,9 +15,9 @@ namespace moldwright {
 
 class ViewPane;
 
-/// How many views there are: one; two beside each other, the part and what becomes of it; or four, from
-/// above, from the front, from the right, and free.
-enum class ViewLayout { One = 1, Two = 2, Four = 4 };
+/// How many views there are: one; two beside each other, the part and what becomes of it, or the current
+/// variant and one that is compared with it; or four, from above, from the front, from the right, and free.
+enum class ViewLayout { One = 1, Two = 2, Compared = 3, Four = 4 };
 
 /// The views of the window. One of them is active: the one that was touched last. Each layout remembers what
 /// its views showed and how.
@@ -38,8 +38,11 @@ public:
 
     /// While linked, two views move together; of four, place and size follow each other, not the way they
     /// look.
+    /// Compared variants have a link of their own, which holds at first.
     void setLinked(bool linked);
-    [[nodiscard]] bool linked() const { return m_linked; }
+    [[nodiscard]] bool linked() const {
+        return m_layout == ViewLayout::Compared ? m_comparedLinked : m_linked;
+    }
 
     /// How the active view shows it.
     void setActiveSettings(const ViewSettings& settings);
@@ -51,7 +54,8 @@ public:
     void fitAll();
     void lookAtAll();
 
-    /// Layout and settings of all views, for the next session. What cannot be read is passed over.
+    /// Layout and settings of all views, for the next session, but what was compared. What cannot be read is
+    /// passed over.
     [[nodiscard]] QByteArray saved() const;
     void restore(const QByteArray& saved);
 
@@ -78,6 +82,7 @@ private:
     std::vector<ViewPane*> m_shown;
     ViewPane* m_active = nullptr;
     bool m_linked = false;
+    bool m_comparedLinked = true;
     bool m_following = false; ///< views move because one moved
     QGridLayout* m_grid;
 };

@@ -82,7 +82,7 @@ void ViewPane::buildHeader(const QString& name) {
     m_name->setFont(bold);
     row->addWidget(m_name, 1);
     m_content = headerField(name + u"-content"_s, tr("What this view shows"),
-                            {tr("Newest shape"), tr("Part as opened")}, m_header);
+                            {tr("Newest shape"), tr("Part as opened"), tr("Compared variant")}, m_header);
     m_mode =
         headerField(name + u"-mode"_s, tr("What the faces of this view show"), displayModeNames(), m_header);
     for (QComboBox* field : {m_content, m_mode}) {

@@ -31,6 +31,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
     connect(&m_document, &Document::changed, this, [this] {
         postLive();
         forgetKept();
+        m_variants.follow(m_document.committed());
         askAnalysis();
         askPart();
         forgetOldMaps();
@@ -46,6 +47,10 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
     });
     connect(&m_partAnalysis, &LiveAnalysis::answered, this, [this](const auto& answer) {
         m_partAnswer = answer;
+        Q_EMIT changed();
+    });
+    connect(&m_variants, &VariantComparison::changed, this, [this] {
+        forgetOldMaps();
         Q_EMIT changed();
     });
     connect(&m_liveMaps, &LiveMaps::answered, this, [this](const auto& map) {
@@ -118,8 +123,15 @@ bool Workbench::castIsProved() const {
     return castShown() && analysisIsCurrent() && m_answer->certificate && m_answer->certificate->holds();
 }
 
+const Workbench::BuiltMold& Workbench::built() const {
+    static const BuiltMold none;
+    const auto found = m_molds.find(project().variantName);
+    return found != m_molds.end() ? found->second : none;
+}
+
 bool Workbench::moldIsCurrent() const {
-    return m_mold && project().cast && m_moldCast == project().cast && m_moldSettings == project().mold;
+    const BuiltMold& mold = built();
+    return mold.mold && project().cast && mold.cast == project().cast && mold.settings == project().mold;
 }
 
 void Workbench::say(Standing standing, const QString& text, const Eigen::AlignedBox3d& place) {

@@ -19,6 +19,7 @@
 #include "window/mesh_figures.h"
 #include "window/plane_offers.h"
 #include "window/run_control.h"
+#include "window/variant_comparison.h"
 
 #include <QObject>
 #include <QTimer>
@@ -28,6 +29,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace moldwright {
@@ -54,6 +56,7 @@ struct ShownSurface {
     const DraftAnalysis* analysis = nullptr;            ///< of the surface; of its stand-in when `coarse`
     const DraftAnalysis* standInAnalysis = nullptr;     ///< of a large surface
     std::shared_ptr<const scene::SurfacePicker> picker; ///< null while it is not made
+    const Variant* variant = nullptr;                   ///< whose it is; never null
 
     /// What `analysis` is of.
     [[nodiscard]] SharedMesh analysed() const { return coarse ? drawn->standIn->mesh : drawn->mesh; }
@@ -76,6 +79,8 @@ public:
     /// The surface in view: a run's newest frame, the cast when it is current, else the part.
     [[nodiscard]] SharedMesh shownMesh() const;
     [[nodiscard]] std::optional<MoldState> shownState() const;
+    /// The state of the surface that a view with this content shows.
+    [[nodiscard]] std::optional<MoldState> stateIn(ViewContent content) const;
     [[nodiscard]] bool castShown() const { return !m_frame && project().cast; }
 
     /// shownMesh() made ready to be drawn; null while that is not done.
@@ -133,10 +138,22 @@ public:
     /// A box about one of them, mm.
     [[nodiscard]] Eigen::AlignedBox3d placeOf(int obstruction) const;
 
-    [[nodiscard]] const std::shared_ptr<const Mold>& mold() const { return m_mold; }
+    /// The mold that was built last for the current variant, also where it is out of date; null for none.
+    [[nodiscard]] const std::shared_ptr<const Mold>& mold() const { return built().mold; }
     [[nodiscard]] bool moldIsCurrent() const;
     /// Half 1 or 2 of the mold, ready to be drawn. Precondition: there is a mold.
-    [[nodiscard]] const scene::SharedDrawnMesh& drawnHalf(int side) const { return m_drawnHalves[side - 1]; }
+    [[nodiscard]] const scene::SharedDrawnMesh& drawnHalf(int side) const { return built().halves[side - 1]; }
+
+    // Variants: other designs of the part, by their numbers
+    [[nodiscard]] VariantComparison& variants() { return m_variants; }
+    [[nodiscard]] const VariantComparison& variants() const { return m_variants; }
+    void chooseVariant(int variant);
+    /// The next one in their order, or with −1 the one before, round and round.
+    void walkVariants(int way);
+    void duplicateVariant(int variant);
+    void addVariant();
+    void renameVariant(int variant, const QString& name);
+    void removeVariant(int variant);
 
     // Files
     void openFile(const QString& file);
@@ -284,6 +301,15 @@ Q_SIGNALS:
     void reportWritten(const QString& file);
 
 private:
+    /// A mold, and what it was built from.
+    struct BuiltMold {
+        std::shared_ptr<const Mold> mold;
+        std::array<scene::SharedDrawnMesh, 2> halves;
+        std::shared_ptr<const CastResult> cast;
+        MoldSettings settings;
+    };
+
+    [[nodiscard]] const BuiltMold& built() const;
     void show(const Project& project, const QString& file);
     void readProject(const QString& file);
     void readFile(const QString& file, const QString& name, bool sample);
@@ -316,6 +342,8 @@ private:
     void forgetOldMaps();
     [[nodiscard]] std::optional<MapRequest> mapRequest(ViewContent content, DisplayMode mode) const;
     [[nodiscard]] const AnalysisAnswer* partAnswer() const;
+    [[nodiscard]] const Variant& variantIn(ViewContent content) const;
+    [[nodiscard]] bool completeRequest(MapRequest& request, ViewContent content) const;
     void complain(const Error& error, const QString& what);
 
     Document m_document;
@@ -331,6 +359,7 @@ private:
     LiveAnalysis m_partAnalysis; ///< of the part while its cast is shown beside it
     std::shared_ptr<const AnalysisAnswer> m_partAnswer;
     bool m_partWanted = false;
+    VariantComparison m_variants;
     LiveMaps m_liveMaps;
     std::map<std::pair<ViewContent, DisplayMode>, std::shared_ptr<const FaceMap>> m_maps;
     std::map<std::pair<ViewContent, DisplayMode>, MapRequest> m_asked; ///< for each map the last request
@@ -369,10 +398,7 @@ private:
     int m_suggestionCount = 40;
     std::optional<double> m_brushRadius; ///< mm; none: by the part's size
     double m_creaseDegrees = 30;
-    std::shared_ptr<const Mold> m_mold;
-    std::array<scene::SharedDrawnMesh, 2> m_drawnHalves;
-    std::shared_ptr<const CastResult> m_moldCast;
-    MoldSettings m_moldSettings;
+    std::map<std::string, BuiltMold> m_molds; ///< by the variant's name
 };
 
 } // namespace moldwright

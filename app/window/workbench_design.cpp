@@ -178,13 +178,11 @@ void Workbench::buildMoldNow() {
                 complain(built->error(), tr("Building the mold"));
                 return;
             }
-            m_mold = std::make_shared<const Mold>(std::move(**built));
-            m_drawnHalves = halves;
-            m_moldCast = from.cast;
-            m_moldSettings = from.mold;
-            if (m_mold->verified())
+            const auto mold = std::make_shared<const Mold>(std::move(**built));
+            m_molds[from.variantName] = {mold, halves, from.cast, from.mold};
+            if (mold->verified())
                 say(Standing::Done, tr("Mold built: both halves are proved to come off."));
-            for (const std::string& what : m_mold->problems)
+            for (const std::string& what : mold->problems)
                 say(Standing::Failing, sentence(what));
             Q_EMIT changed();
             Q_EMIT moldBuilt();

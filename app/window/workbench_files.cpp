@@ -81,8 +81,8 @@ void Workbench::show(const Project& project, const QString& file) {
     m_offeredPart.reset();
     m_suggestedPart.reset();
     m_progress.clear();
-    m_mold.reset();
-    m_moldCast.reset();
+    m_molds.clear();
+    m_variants.compareWith({});
     m_document.open(project, file);
     Q_EMIT partOpened();
 }
@@ -147,10 +147,10 @@ void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
 }
 
 void Workbench::closePart() {
+    m_variants.compareWith({});
     m_document.open(Project{}, {});
     m_answer.reset();
-    m_mold.reset();
-    m_moldCast.reset();
+    m_molds.clear();
     m_progress.clear();
     m_messages.clear();
     Q_EMIT changed();
@@ -177,7 +177,7 @@ void Workbench::exportShape(const QString& file) {
 }
 
 void Workbench::exportMold(const QString& folder) {
-    const auto mold = m_mold;
+    const auto mold = built().mold;
     const std::string name = project().name;
     m_background.start(tr("Writing the halves"), [=, this](const Task&) -> Background::Finish {
         const Result<void> written = writeMold(*mold, name, folder.toStdString());

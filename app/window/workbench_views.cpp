@@ -25,12 +25,24 @@ const AnalysisAnswer* Workbench::partAnswer() const {
     return nullptr;
 }
 
+const Variant& Workbench::variantIn(ViewContent content) const {
+    const Variant* other = m_variants.other();
+    return content == ViewContent::Compared && other ? *other : project();
+}
+
+std::optional<MoldState> Workbench::stateIn(ViewContent content) const {
+    const bool compared = content == ViewContent::Compared && m_variants.other();
+    return compared ? variantIn(content).state : shownState();
+}
+
 ShownSurface Workbench::surface(ViewContent content) const {
+    const bool compared = content == ViewContent::Compared && m_variants.other();
     ShownSurface surface;
-    if (content == ViewContent::Newest || shownMesh() == project().part) {
+    surface.variant = &variantIn(content);
+    if (!compared && (content != ViewContent::Part || shownMesh() == project().part)) {
         surface.drawn = drawnSurface();
         if (!surface.drawn)
-            return {};
+            return surface;
         surface.coarse = analysisIsCoarse();
         surface.analysis = shownAnalysis();
         if (!surface.coarse && m_answer)
@@ -41,9 +53,9 @@ ShownSurface Workbench::surface(ViewContent content) const {
             surface.picker = m_answer->picker;
         return surface;
     }
-    const AnalysisAnswer* answer = partAnswer();
+    const AnalysisAnswer* answer = compared ? m_variants.answer() : partAnswer();
     if (!answer)
-        return {};
+        return surface;
     surface.drawn = answer->drawn;
     surface.coarse = answer->coarse;
     surface.analysis = answer->request.state ? &answer->analysis : nullptr;
@@ -56,7 +68,9 @@ void Workbench::forgetOldMaps() {
     // They hold on to surfaces that nothing else may need any more.
     const Project& shown = project();
     const auto isOld = [&](const SharedMesh& surface) {
-        return surface != shown.part && !(shown.cast && surface == shown.cast->mesh);
+        const Variant* other = m_variants.other();
+        return surface != shown.part && !(shown.cast && surface == shown.cast->mesh) &&
+               !(other && other->cast && surface == other->cast->mesh);
     };
     std::erase_if(m_maps, [&](const auto& map) { return map.second && isOld(map.second->request.surface); });
     std::erase_if(m_asked, [&](const auto& asked) { return isOld(asked.second.surface); });
@@ -66,7 +80,6 @@ void Workbench::forgetOldMaps() {
 
 std::optional<MapRequest> Workbench::mapRequest(ViewContent content, DisplayMode mode) const {
     const ShownSurface shown = surface(content);
-    const auto& cast = project().cast;
     if (!shown.drawn || !isMap(mode) || m_frame)
         return std::nullopt;
     MapRequest request;
@@ -74,20 +87,27 @@ std::optional<MapRequest> Workbench::mapRequest(ViewContent content, DisplayMode
     request.content = content;
     request.surface = shown.drawn->mesh;
     request.standIn = shown.drawn->standIn ? shown.drawn->standIn->mesh : nullptr;
-    request.draftDegrees = project().design.draftDegrees;
-    if (!needsCast(mode)) {
-        if (!project().state)
-            return std::nullopt;
-        request.state = *project().state;
-        return request;
+    request.draftDegrees = shown.variant->design.draftDegrees;
+    return completeRequest(request, content) ? std::optional(request) : std::nullopt;
+}
+
+bool Workbench::completeRequest(MapRequest& request, ViewContent content) const {
+    const Variant& variant = variantIn(content);
+    if (!needsCast(request.mode)) {
+        if (variant.state)
+            request.state = *variant.state;
+        return variant.state.has_value();
     }
-    if (!cast || cast->before.rows() == 0)
-        return std::nullopt;
-    if (mode == DisplayMode::Strain && request.surface != cast->mesh)
-        return std::nullopt;
     request.part = project().part;
-    request.cast = cast;
-    return request;
+    request.cast = variant.cast;
+    const bool onCast = variant.cast && request.surface == variant.cast->mesh;
+    if (request.mode == DisplayMode::Difference) {
+        const Variant* other = &variant == &project() ? m_variants.other() : &project();
+        request.other = other ? other->cast : nullptr;
+        return onCast && request.other;
+    }
+    const bool known = variant.cast && variant.cast->before.rows() > 0;
+    return known && (onCast || request.mode != DisplayMode::Strain);
 }
 
 const FaceMap* Workbench::map(ViewContent content, DisplayMode mode) {

@@ -56,8 +56,8 @@ IndexedMesh fittedOver(const IndexedMesh& part, const Points& before, const Inde
     return movedBy(bestRigidFit(before, cast.V), part);
 }
 
-/// Area, and integral over it of the squared distance from `from` to `to`; between a face's corners the mean of
-/// their squares.
+/// Area, and integral over it of the squared distance from `from` to `to`; between a face's corners the mean
+/// of their squares.
 std::pair<double, double> squaredDistance(const IndexedMesh& from, const IndexedMesh& to) {
     const std::vector<double> distance = pointDistances(from, to);
     double area = 0;

@@ -28,9 +28,9 @@ struct Deviation {
 /// The root of the mean square, over both surfaces, of what deviation() is the mean of, mm.
 [[nodiscard]] double rmsDistance(const IndexedMesh& part, const IndexedMesh& cast, const Points& before);
 
-/// Two casts of one part laid over each other, each as its part fits best: per face of `cast`, the mean of its
-/// corners' distances to `other`, mm. `before`, `otherBefore`: n×3, where the points of each were in the part;
-/// empty: they lie as they are.
+/// Two casts of one part laid over each other, each as its part fits best: per face of `cast`, the mean of
+/// its corners' distances to `other`, mm. `before`, `otherBefore`: n×3, where the points of each were in the
+/// part; empty: they lie as they are.
 [[nodiscard]] std::vector<double> castDifference(const IndexedMesh& cast, const Points& before,
                                                  const IndexedMesh& other, const Points& otherBefore);
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/project_report.h"
 
+#include "project/variant_figures.h"
+#include "project/variants.h"
+#include "report/figures.h"
+
 #include <array>
 #include <chrono>
 #include <cstdlib>
@@ -18,6 +22,43 @@ std::vector<ReportRegion> measuredRegions(const Project& project) {
             regions.push_back(
                 {project.importance[i].name, measures[i].maxDistance, project.importance[i].keepWithin});
     return regions;
+}
+
+std::vector<std::string> variantRow(const IndexedMesh& part, const Variant& variant) {
+    const std::string none = "–";
+    std::vector<std::string> row = {variant.variantName};
+    if (!variant.cast) {
+        row.insert(row.end(), {"not run", none, none, none, none, none, none, none});
+        return row;
+    }
+    const VariantFigures figures = variantFigures(part, variant);
+    const auto& block = figures.blockSize;
+    row.insert(
+        row.end(),
+        {figures.castable ? "yes" : "no", figureRoundedDown(figures.worstDraftDegrees, 2) + "°",
+         figures.strain ? figure(100 * *figures.strain, 1) + " %" : none, figure(figures.largestDistance, 2),
+         figures.rmsDistance ? figure(*figures.rmsDistance, 2) : none, figure(figures.filledVolume / 1000, 2),
+         block ? sizeInMillimetres(*block) : none, figures.steps > 0 ? std::to_string(figures.steps) : none});
+    return row;
+}
+
+/// None for a project with one design.
+std::optional<ReportTable> variantTable(const Project& project) {
+    if (project.others.empty() || !project.part)
+        return std::nullopt;
+    ReportTable table;
+    table.title = "Variants of this part";
+    table.columns = {"Variant", "Castable",    "Worst draft", "Strain", "Farthest, mm",
+                     "RMS, mm", "Filled, cm³", "Block",       "Steps"};
+    for (std::size_t i = 0; i < variantCount(project); ++i)
+        table.rows.push_back(variantRow(*project.part, variantAt(project, i)));
+    table.strongRow = project.place;
+    table.note =
+        "This report is of variant " + project.variantName +
+        ". Castable: proved in exact arithmetic. Strain is the root of the mean square over the "
+        "surface of both principal stretches less 1. Farthest and RMS are distances between cast and "
+        "part after the best rigid fit. The block is that of the mold with the variant's own settings.";
+    return table;
 }
 
 } // namespace
@@ -41,6 +82,7 @@ ReportData projectReport(const Project& project, const Evaluation& evaluation, c
         subject.mold = evaluation.mold;
         subject.regions = measuredRegions(project);
     }
+    subject.variants = variantTable(project);
     return reportData(subject);
 }
 

@@ -11,12 +11,12 @@ namespace moldwright {
 
 /// What variants are chosen by: how a variant's cast came out, and what its mold takes.
 struct VariantFigures {
-    bool castable = false;             ///< proved, on the cast's coordinates
-    double worstDraftDegrees = 0;      ///< of any face
-    std::optional<double> strain;      ///< SurfaceStrain::rms; none for files of old
-    double largestDistance = 0;        ///< mm to the part, after the best rigid fit
-    std::optional<double> rmsDistance; ///< mm, the same; none for files of old
-    double filledVolume = 0;           ///< mm³
+    bool castable = false;                    ///< proved, on the cast's coordinates
+    double worstDraftDegrees = 0;             ///< of any face
+    std::optional<double> strain;             ///< SurfaceStrain::rms; none for files of old
+    double largestDistance = 0;               ///< mm to the part, after the best rigid fit
+    std::optional<double> rmsDistance;        ///< mm, the same; none for files of old
+    double filledVolume = 0;                  ///< mm³
     std::optional<Eigen::Vector3d> blockSize; ///< mm; none where no mold can be built about the cast
     int steps = 0;                            ///< of the run; 0 where nobody counted them
 };

@@ -58,6 +58,16 @@ std::optional<std::size_t> variantNamed(const Project& project, std::string_view
     return std::nullopt;
 }
 
+Result<Project> atVariant(Project project, const std::string& name, const std::string& fileName) {
+    if (name.empty())
+        return project;
+    const auto number = variantNamed(project, name);
+    if (!number)
+        return failure(ErrorCode::Usage, MW_TEXT("Project", "{0} has no variant {1}. It has: {2}."),
+                       {fileName, name, variantNames(project)});
+    return withVariant(std::move(project), *number);
+}
+
 std::string variantNames(const Project& project) {
     std::string names;
     for (std::size_t i = 0; i < variantCount(project); ++i)

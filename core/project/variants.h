@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "base/result.h"
 #include "project/project.h"
 
 #include <cstddef>
@@ -17,6 +18,10 @@ namespace moldwright {
 [[nodiscard]] std::size_t variantCount(const Project& project);
 [[nodiscard]] const Variant& variantAt(const Project& project, std::size_t number);
 [[nodiscard]] std::optional<std::size_t> variantNamed(const Project& project, std::string_view name);
+/// The project with the variant of this name as the current one; an empty name: as it is. Errors: Usage,
+/// naming the file and its variants.
+[[nodiscard]] Result<Project> atVariant(Project project, const std::string& name,
+                                        const std::string& fileName);
 /// Joined by commas, for sentences.
 [[nodiscard]] std::string variantNames(const Project& project);
 

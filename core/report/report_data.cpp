@@ -245,6 +245,7 @@ ReportData reportData(const ReportSubject& subject) {
                                                  : "Make the part castable, then build the mold.");
     }
     addRegions(data, subject.regions);
+    data.variants = subject.variants;
     return data;
 }
 

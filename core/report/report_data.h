@@ -6,6 +6,7 @@
 #include "mold/mold.h"
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,15 @@ struct ReportRegion {
     std::string name;
     double maxDistance = 0; ///< mm that its shape changed
     double within = 0;      ///< mm that it may; 0: no limit
+};
+
+/// Figures of several things side by side, as text: a row for each thing.
+struct ReportTable {
+    std::string title;
+    std::vector<std::string> columns; ///< the first names the things
+    std::vector<std::vector<std::string>> rows;
+    std::size_t strongRow = 0; ///< the thing that the report speaks of
+    std::string note;
 };
 
 /// What a report is about. Without a cast or a mold it says what is still missing.
@@ -34,6 +44,7 @@ struct ReportSubject {
     std::optional<Change> change;
     std::vector<ReportRegion> regions;
     std::shared_ptr<const Mold> mold;
+    std::optional<ReportTable> variants; ///< other designs of the part, where there are any
 };
 
 struct ReportRow {
@@ -89,6 +100,7 @@ struct ReportData {
         regions; ///< important ones, whether each kept to its limit; those that did not first
     std::vector<ReportDefault> defaults;
     std::vector<std::string> openItems;
+    std::optional<ReportTable> variants; ///< on a page of its own
 };
 
 [[nodiscard]] ReportData reportData(const ReportSubject& subject);

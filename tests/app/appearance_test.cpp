@@ -3,6 +3,7 @@
 // overlaps, and text can be read. Run once more at twice the scale.
 #include "app/window_driver.h"
 
+#include "panels/figure_table.h"
 #include "panels/picture_list.h"
 #include "panels/project_tree.h"
 #include "panels/property_panel.h"
@@ -114,6 +115,8 @@ void expectNothingClipped(QWidget& window, const std::string& where) {
     for (const PictureList* list : seenOf<PictureList>(window))
         for (int row = 0; row < list->count(); ++row)
             EXPECT_TRUE(list->fits(row)) << where << named(list, list->item(row)->text());
+    for (const FigureTable* table : seenOf<FigureTable>(window))
+        EXPECT_TRUE(table->fits()) << where << named(table, {});
     for (const QPushButton* button : seenOf<QPushButton>(window))
         EXPECT_GE(button->width() + 1, button->minimumSizeHint().width())
             << where << named(button, button->text());
@@ -171,7 +174,7 @@ void lookAround(WindowDriver& driver, const QString& language, bool dark, QSize 
                                   .arg(driver.window().devicePixelRatioF())
                                   .arg(size.width())
                                   .toStdString();
-    for (const char* row : {"part", "plane", "direction-1", "pins", "deform", "cast", "mold"}) {
+    for (const char* row : {"part", "variants", "plane", "direction-1", "pins", "deform", "cast", "mold"}) {
         driver.selectRow(row);
         expectGoodLooks(driver, where + row);
         if (testing::Test::HasFailure())
@@ -203,6 +206,8 @@ TEST_P(Appearance, NothingIsClippedOrOverlapsAndTextCanBeRead) {
     driver.press("Ctrl+M");
     ASSERT_TRUE(driver.waitIdle());
     QTest::qWait(900); // the halves move apart
+    driver.press("Ctrl+D");
+    driver.press("Ctrl+PgUp");
     for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
         for (const bool dark : {false, true})
             lookAround(driver, language, dark, size);

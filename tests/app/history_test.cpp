@@ -9,11 +9,12 @@
 
 using namespace moldwright;
 using namespace moldwright::test;
+using namespace Qt::StringLiterals;
 
 namespace {
 
 SharedMesh someMesh() {
-    return std::make_shared<const IndexedMesh>(ball(10, 32).mesh);
+    return std::make_shared<const IndexedMesh>(ball(10, 4).mesh);
 }
 
 Project withCastOf(Project project, const SharedMesh& mesh) {
@@ -31,24 +32,24 @@ TEST(History, CountsWhatVariantsShareOnce) {
     const Project one = withCastOf(withPart({}, "x", "x.stl", mesh, {}), someMesh());
     const Project two = withDuplicate(one, 0);
     History history;
-    history.push({"Duplicate", one, two, {}});
+    history.push({u"Duplicate"_s, one, two, {}});
     const std::size_t shared = history.bytes();
-    history.push({"Deform", two, withCastOf(two, someMesh()), {}});
+    history.push({u"Deform"_s, two, withCastOf(two, someMesh()), {}});
     const std::size_t cast = static_cast<std::size_t>(mesh->V.size()) * sizeof(double);
     EXPECT_GT(history.bytes(), shared + cast);
-    history.push({"Choose", two, withVariant(two, 0), {}});
+    history.push({u"Choose"_s, two, withVariant(two, 0), {}});
     EXPECT_LT(history.bytes(), shared + 4 * cast);
 }
 
 TEST(History, TheOldestStepsGoWhereVariantsNeedTheMemory) {
     const Project one = withCastOf(withPart({}, "x", "x.stl", someMesh(), {}), someMesh());
     History all;
-    all.push({"First", one, withDuplicate(one, 0), {}});
+    all.push({u"First"_s, one, withDuplicate(one, 0), {}});
     History history(5 * all.bytes());
     Project project = one;
     for (int i = 0; i < 20; ++i) {
         const Project next = withCastOf(withDuplicate(project, 0), someMesh());
-        history.push({"Duplicate", project, next, {}});
+        history.push({u"Duplicate"_s, project, next, {}});
         project = next;
     }
     EXPECT_LT(history.steps().size(), 20U);

@@ -51,20 +51,22 @@ public:
 
     void step() {
         static const std::vector<const char*> edits = {
-            "turn-x",  "turn-y",  "turn-z",  "centre",      "normal-directions",
-            "plane-x", "plane-y", "plane-z", "accept-tips", "clear-pins"};
-        const unsigned choice = m_random() % 18;
+            "turn-x",  "turn-y",  "turn-z",      "centre",     "normal-directions", "plane-x",
+            "plane-y", "plane-z", "accept-tips", "clear-pins", "duplicate-variant", "next-variant"};
+        const unsigned choice = m_random() % 21;
         const std::size_t before = document().history().done();
         if (choice < edits.size())
             trigger(edits[choice]);
-        else if (choice == 10)
-            type(u"deform"_s, u"draft"_s, 0.5 + static_cast<double>(m_random() % 30) / 10);
-        else if (choice == 11)
-            type(u"mold"_s, u"wall"_s, 1 + static_cast<double>(m_random() % 20));
         else if (choice == 12)
+            type(u"deform"_s, u"draft"_s, 0.5 + static_cast<double>(m_random() % 30) / 10);
+        else if (choice == 13)
+            type(u"mold"_s, u"wall"_s, 1 + static_cast<double>(m_random() % 20));
+        else if (choice == 14)
             type(u"plane"_s, u"offset"_s, static_cast<double>(m_random() % 40) - 20);
+        else if (choice == 15)
+            removeVariant();
         else
-            return trigger(choice < 16 ? "undo" : "redo");
+            return trigger(choice < 19 ? "undo" : "redo");
         const std::size_t done = document().history().done();
         const std::size_t hash = hashOf(document().committed());
         if (done > before) {
@@ -89,6 +91,12 @@ private:
 
     void trigger(const char* command) {
         m_driver.window().actions()[QString::fromLatin1(command)]->trigger();
+    }
+
+    /// The current one, where no run goes on.
+    void removeVariant() {
+        if (!m_driver.bench().background().busy())
+            m_driver.bench().removeVariant(static_cast<int>(document().committed().place));
     }
 
     void type(const QString& page, const QString& id, double value) {

@@ -5,6 +5,7 @@
 #include "exchange/mesh_file.h"
 #include "project/edits.h"
 #include "project/project_file.h"
+#include "project/variants.h"
 #include "support/casts.h"
 #include "support/folders.h"
 
@@ -35,6 +36,17 @@ protected:
         result.state = cast.state;
         EXPECT_TRUE(saveProject(in("project.moldwright"), {withCast(whole, result, 1), "", ""}));
         return in("project.moldwright");
+    }
+
+    /// The same part in two variants, "flat" and then "tall" with a thicker wall; "flat" is the current one.
+    std::string twoVariants(const test::KnownCast& cast) const {
+        Project whole = openProject(project(cast)).value().project;
+        whole = withVariantName(withDuplicate(withVariantName(whole, 0, "flat"), 0), 1, "tall");
+        MoldSettings settings = whole.mold;
+        settings.wall = 9;
+        whole = withVariant(withMoldSettings(whole, settings), 0);
+        EXPECT_TRUE(saveProject(in("two.moldwright"), {whole, "", ""}));
+        return in("two.moldwright");
     }
 
     /// Verifies the files of a mold in the folder "out", in the directions that its JSON tells.
@@ -238,4 +250,38 @@ TEST_F(MoldCommands, InfoShowsTheManifest) {
     EXPECT_EQ(json["name"], "Box");
     EXPECT_EQ(json["cast"]["faces"], 20);
     EXPECT_EQ(test::runProgram({"info", in("missing.moldwright")}).exitCode, 3);
+}
+
+TEST_F(MoldCommands, InfoListsVariantsAndMeasuresTheOneNamed) {
+    const std::string file = twoVariants(test::frusta(20, 10, 5, 3, 0.1));
+    const Json plain = Json::parse(test::runProgram({"info", file, "--json", "-"}).out);
+    ASSERT_EQ(plain["variants"].size(), 2U);
+    EXPECT_EQ(plain["variants"][0]["name"], "flat");
+    EXPECT_EQ(plain["variants"][0]["current"], true);
+    EXPECT_FALSE(plain.contains("variant"));
+    const Json tall = Json::parse(test::runProgram({"info", file, "--variant", "tall", "--json", "-"}).out);
+    EXPECT_EQ(tall["variant"]["name"], "tall");
+    EXPECT_EQ(tall["variant"]["figures"]["castable"], true);
+    const Json flat = Json::parse(test::runProgram({"info", file, "--variant", "flat", "--json", "-"}).out);
+    EXPECT_GT(tall["variant"]["figures"]["block"][0], flat["variant"]["figures"]["block"][0]);
+    // One variant is told as it ever was.
+    const Json one =
+        Json::parse(test::runProgram({"info", project(test::frusta(20, 10, 5, 3, 0.1)), "--json", "-"}).out);
+    EXPECT_FALSE(one.contains("variants"));
+}
+
+TEST_F(MoldCommands, BuildTheVariantNamed) {
+    const std::string file = twoVariants(test::frusta(20, 10, 5, 3, 0.1));
+    const auto width = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"mold", file, "--out", in("out"), "--json", "-"};
+        words.insert(words.end(), more.begin(), more.end());
+        const test::Run run = test::runProgram(words);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return Json::parse(run.out)["half1"]["size"][0].get<double>();
+    };
+    EXPECT_EQ(width({}), width({"--variant", "flat"}));
+    EXPECT_EQ(width({"--variant", "tall"}), width({}) + 8);
+    const test::Run none = test::runProgram({"mold", file, "--out", in("out"), "--variant", "wide"});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_NE(none.err.find("It has: flat, tall."), std::string::npos) << none.err;
 }

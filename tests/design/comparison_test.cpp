@@ -121,3 +121,32 @@ TEST(Deviation, SitsWhereTheShapeWasChanged) {
     EXPECT_GT(cast.corner(largest, 0).x(), 2);
     EXPECT_NEAR(ofCast[static_cast<std::size_t>(largest)], 1, 0.15);
 }
+
+TEST(RmsDistance, IsTheRadiusGainedOfABallBlownUp) {
+    const IndexedMesh part = test::sphere({5, 6, 7}, 10, 4);
+    const IndexedMesh cast = test::sphere({5, 6, 7}, 11, 4);
+    EXPECT_NEAR(rmsDistance(part, moved(cast), part.V), 1, 0.02);
+    EXPECT_NEAR(rmsDistance(part, moved(part), part.V), 0, 1e-6);
+}
+
+TEST(CastDifference, IsNothingBetweenCastsThatDifferByTheirPlace) {
+    const IndexedMesh part = hornedBall(1);
+    for (const double d : castDifference(part, part.V, moved(part), part.V))
+        ASSERT_NEAR(d, 0, 1e-6);
+}
+
+TEST(CastDifference, IsTheWayBetweenBothEachLaidOverItsPart) {
+    const IndexedMesh part = test::sphere({0, 0, 0}, 10, 4);
+    IndexedMesh larger = part;
+    larger.V *= 1.2;
+    const std::vector<double> there = castDifference(moved(larger), part.V, part, part.V);
+    const std::vector<double> back = castDifference(part, part.V, moved(larger), part.V);
+    ASSERT_EQ(there.size(), static_cast<std::size_t>(part.faceCount()));
+    for (const std::vector<double>& side : {there, back}) {
+        EXPECT_NEAR(*std::ranges::min_element(side), 2, 0.03);
+        EXPECT_NEAR(*std::ranges::max_element(side), 2, 0.03);
+    }
+    // Where a file does not tell how points lay in the part, they lie as they are.
+    const std::vector<double> plain = castDifference(larger, {}, part, {});
+    EXPECT_NEAR(*std::ranges::max_element(plain), 2, 0.03);
+}

@@ -9,7 +9,8 @@ namespace moldwright::test {
 /// cast, pins and weights.
 Project someProject();
 
-/// The same in three variants, the one in the middle current: the first two share a cast, the last has its own.
+/// The same in three variants, the one in the middle current: the first two share a cast, the last has its
+/// own.
 Project someVariants();
 
 /// Equal in every value, meshes by content.

@@ -39,13 +39,13 @@ TEST(VariantFigures, AreKnownOfACastThatIsThePartMadeLarger) {
 }
 
 TEST(VariantFigures, BlockIsThatOfTheMold) {
-    const Project project = someProject();
+    Project project = someProject();
+    project.mold.keys.count = 0; // keys stand out of the block
     const VariantFigures figures = variantFigures(*project.part, project);
     EXPECT_TRUE(figures.castable);
     EXPECT_GE(figures.worstDraftDegrees, 2.5);
     const CastResult& cast = *project.cast;
-    const Mold mold =
-        buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, project.mold).value();
+    const Mold mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, project.mold).value();
     const Eigen::Vector3d size = mold.half1.size + Eigen::Vector3d(0, 0, mold.half2.size.z());
     EXPECT_LT((figures.blockSize.value() - size).norm(), 1e-9);
 }

@@ -4,6 +4,7 @@
 #include "cli/run_program.h"
 #include "project/edits.h"
 #include "project/project_file.h"
+#include "project/variants.h"
 #include "render/job.h"
 #include "render/pictures.h"
 #include "scene/offscreen/picture.h"
@@ -72,6 +73,23 @@ TEST_F(Report, IsAPdfOfTwoPagesWithPictures) {
     EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
     EXPECT_NE(pdf.find("/Count 2"), std::string::npos);
     EXPECT_NE(pdf.find("/Subtype /Image"), std::string::npos);
+}
+
+TEST_F(Report, OfSeveralVariantsHasAPageThatComparesThem) {
+    Project project = openProject(in("ball.moldwright")).value().project;
+    project = withDuplicate(withDuplicate(project, 0), 0); // A, C, B
+    project.cast = nullptr;                                // of C
+    ASSERT_TRUE(saveProject(in("two.moldwright"), {project, "", ""}));
+    for (const char* variant : {"A", "C"}) {
+        const test::Run run = test::runProgram(
+            {"report", in("two.moldwright"), "--variant", variant, "--out", in("two.pdf"), "--json", "-"});
+        ASSERT_EQ(run.exitCode, 0) << run.err;
+        EXPECT_EQ(Json::parse(run.out)["pages"], 3);
+    }
+    const test::Run none = test::runProgram(
+        {"report", in("two.moldwright"), "--variant", "Z", "--out", in("none.pdf"), "--json", "-"});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_NE(none.err.find("A, C, B"), std::string::npos) << none.err;
 }
 
 TEST_F(Report, WithoutGraphicsComesWithoutPictures) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "panels/figure_table.h"
 
-#include "theme/icons.h"
 #include "theme/theme.h"
 
 #include <QHeaderView>
@@ -15,9 +14,8 @@ namespace moldwright {
 
 namespace {
 
-constexpr int rowHeight = 24;    ///< px
+constexpr int lineHeight = 24;   ///< px
 constexpr int room = 14;         ///< px beside a text in its cell
-constexpr int markRoom = 20;     ///< px of the mark in a header
 constexpr int least = 56;        ///< px of a column
 constexpr int scrollBarRoom = 4; ///< px between the last row and a scroll bar
 
@@ -39,6 +37,15 @@ QTableWidgetItem* plainItem(const QString& text, bool bold, Qt::Alignment alignm
 
 FigureTable::FigureTable(const QStringList& rows, QWidget* parent) : QTableWidget(parent) {
     setFrameShape(NoFrame);
+    setStyleSheet(QStringLiteral(
+        "QTableView { background: transparent; }"
+        "QTableView::item { border: none; border-bottom: 1px solid palette(midlight); padding: 0 4px; }"
+        "QTableView::item:selected { background: palette(highlight); color: palette(highlighted-text); }"
+        "QHeaderView { background: transparent; }"
+        "QHeaderView::section { background: transparent; border: none; padding: 0 4px;"
+        " border-bottom: 1px solid palette(midlight); }"
+        "QHeaderView::section:vertical { padding-left: 0; }"
+        "QTableCornerButton::section { background: transparent; border: none; }"));
     setShowGrid(false);
     setSelectionBehavior(SelectColumns);
     setSelectionMode(SingleSelection);
@@ -55,10 +62,10 @@ FigureTable::FigureTable(const QStringList& rows, QWidget* parent) : QTableWidge
         header->setHighlightSections(false);
     }
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(rowHeight);
+    verticalHeader()->setDefaultSectionSize(lineHeight);
     verticalHeader()->setSectionsClickable(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    horizontalHeader()->setFixedHeight(rowHeight);
+    horizontalHeader()->setFixedHeight(lineHeight);
     horizontalHeader()->setMinimumSectionSize(least);
     connect(this, &QTableWidget::currentCellChanged, this, [this](int, int column, int, int before) {
         if (column >= 0 && column != before)
@@ -70,16 +77,16 @@ FigureTable::FigureTable(const QStringList& rows, QWidget* parent) : QTableWidge
     connect(horizontalHeader(), &QHeaderView::sectionDoubleClicked, this, &FigureTable::taken);
 }
 
-void FigureTable::show(const std::vector<FigureColumn>& columns, int chosenColumn) {
+void FigureTable::setFigures(const std::vector<FigureColumn>& columns, int chosenColumn) {
     const QSignalBlocker quiet(this);
     if (columns != m_columns) {
         m_columns = columns;
         setColumnCount(static_cast<int>(columns.size()));
         for (int c = 0; c < columnCount(); ++c) {
             const FigureColumn& column = columns[static_cast<std::size_t>(c)];
-            auto* head = plainItem(column.name, column.current, Qt::AlignCenter);
+            auto* head = plainItem(column.name, column.current, Qt::AlignRight | Qt::AlignVCenter);
             if (column.current)
-                head->setIcon(themeIcon(QStringLiteral("check")));
+                head->setForeground(theme().palette.color(QPalette::Link));
             head->setToolTip(column.current ? tr("%1, the current one").arg(column.name) : column.name);
             setHorizontalHeaderItem(c, head);
             for (int row = 0; row < rowCount(); ++row) {
@@ -102,8 +109,7 @@ void FigureTable::spread() {
     int widest = least;
     for (int c = 0; c < columnCount(); ++c) {
         const QFontMetrics bold(textFont(font(), true));
-        widest = std::max(widest, bold.horizontalAdvance(horizontalHeaderItem(c)->text()) + room +
-                                      (m_columns[static_cast<std::size_t>(c)].current ? markRoom : 0));
+        widest = std::max(widest, bold.horizontalAdvance(horizontalHeaderItem(c)->text()) + room);
         for (int row = 0; row < rowCount(); ++row)
             widest = std::max(widest, bold.horizontalAdvance(item(row, c)->text()) + room);
     }
@@ -130,7 +136,7 @@ QSize FigureTable::sizeHint() const {
     for (int c = 0; c < columnCount(); ++c)
         all += columnWidth(c);
     const int bar = all > width() ? horizontalScrollBar()->sizeHint().height() + scrollBarRoom : 0;
-    return {120, (rowCount() + 1) * rowHeight + bar};
+    return {120, (rowCount() + 1) * lineHeight + bar};
 }
 
 void FigureTable::resizeEvent(QResizeEvent* event) {

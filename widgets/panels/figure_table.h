@@ -27,7 +27,7 @@ public:
     explicit FigureTable(const QStringList& rows, QWidget* parent = nullptr);
 
     /// Shows these columns, one of them chosen; tells nobody.
-    void show(const std::vector<FigureColumn>& columns, int chosenColumn);
+    void setFigures(const std::vector<FigureColumn>& columns, int chosenColumn);
 
     /// Whether all names and figures are shown whole.
     [[nodiscard]] bool fits() const;

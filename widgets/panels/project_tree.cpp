@@ -4,6 +4,7 @@
 #include "theme/icons.h"
 #include "theme/theme.h"
 
+#include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
@@ -161,6 +162,10 @@ ProjectTree::ProjectTree(ProjectModel* model, QWidget* parent) : QTreeView(paren
         if (index.column() == ProjectModel::Eye)
             toggle(index);
     });
+    connect(this, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+        if (index.column() != ProjectModel::Eye)
+            Q_EMIT taken(m_model->row(index).id);
+    });
     connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& index) {
                 if (index.isValid())
@@ -179,13 +184,32 @@ void ProjectTree::select(const QString& id) {
         setCurrentIndex(index);
 }
 
+void ProjectTree::rename(const QString& id) {
+    const QModelIndex index = m_model->indexOf(id);
+    setFocus();
+    setCurrentIndex(index);
+    edit(index);
+}
+
+void ProjectTree::contextMenuEvent(QContextMenuEvent* event) {
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    const QModelIndex index = byKey ? currentIndex() : indexAt(event->pos());
+    if (!index.isValid())
+        return;
+    const QPoint place = byKey ? visualRect(index).bottomLeft() : event->pos();
+    Q_EMIT menuRequested(m_model->row(index).id, viewport()->mapToGlobal(place));
+}
+
 QString ProjectTree::selectedId() const {
     return currentIndex().isValid() ? m_model->row(currentIndex()).id : QString();
 }
 
 void ProjectTree::keyPressEvent(QKeyEvent* event) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (event->key() == Qt::Key_Space)
         toggle(currentIndex());
+    else if (enter && state() != EditingState && currentIndex().isValid())
+        Q_EMIT taken(selectedId());
     else
         QTreeView::keyPressEvent(event);
 }

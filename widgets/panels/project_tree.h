@@ -63,13 +63,20 @@ public:
 
     void select(const QString& id);
     [[nodiscard]] QString selectedId() const;
+    /// Begins to rename a row. Precondition: it can be renamed.
+    void rename(const QString& id);
 
 Q_SIGNALS:
     void chosen(const QString& id);
     void visibilityToggled(const QString& id);
+    /// Return or a double click on a row.
+    void taken(const QString& id);
+    /// The menu of a row is wanted, by the right button or the menu key.
+    void menuRequested(const QString& id, const QPoint& place);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void toggle(const QModelIndex& index);

@@ -133,7 +133,7 @@ void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* colu
     for (const Property& property : section.rows) {
         Row row;
         QWidget* editor = makeEditor(property, row);
-        if (row.pictures) {
+        if (row.pictures || row.table) {
             grid->addWidget(editor, line++, 0, 1, 2);
             m_rows[property.id] = row;
             continue;
@@ -166,7 +166,19 @@ QWidget* PropertyPanel::makeEditor(const Property& property, Row& row) {
         return makeChoice(property, *choice, row);
     if (const auto* pictures = std::get_if<PicturesProperty>(&property.kind))
         return makePictures(property, *pictures, row);
+    if (const auto* table = std::get_if<TableProperty>(&property.kind))
+        return makeTable(property, *table, row);
     return makeReading(std::get<ReadingProperty>(property.kind), row);
+}
+
+QWidget* PropertyPanel::makeTable(const Property& property, const TableProperty& table, Row& row) {
+    row.table = new FigureTable(table.rows, this);
+    row.table->setAccessibleName(property.label);
+    row.table->setObjectName(QStringLiteral("table-") + property.id);
+    const QString id = property.id;
+    connect(row.table, &FigureTable::chosen, this, [this, id](int column) { Q_EMIT committed(id, column); });
+    connect(row.table, &FigureTable::taken, this, [this, id](int column) { Q_EMIT taken(id, column); });
+    return row.table;
 }
 
 QWidget* PropertyPanel::makePictures(const Property& property, const PicturesProperty& pictures, Row& row) {
@@ -304,6 +316,11 @@ void PropertyPanel::setValue(const QString& id, const QVariant& value) {
         row.reading->setText(words.value(0));
         row.goal->setText(words.value(1));
     }
+}
+
+void PropertyPanel::setColumns(const QString& id, const std::vector<FigureColumn>& columns, int chosen) {
+    if (const auto found = m_rows.find(id); found != m_rows.end() && found->second.table)
+        found->second.table->setFigures(columns, chosen);
 }
 
 void PropertyPanel::setMissesGoal(const QString& id, bool misses) {

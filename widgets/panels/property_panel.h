@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "panels/figure_table.h"
 #include "panels/picture_list.h"
 
 #include <QScrollArea>
@@ -45,12 +46,17 @@ struct PicturesProperty {
     std::vector<PictureChoice> pictures;
 };
 
+/// Figures of several things, across the whole panel; the value is the column chosen. See setColumns().
+struct TableProperty {
+    QStringList rows;
+};
+
 /// One row of the panel.
 struct Property {
     QString id;
     QString label;
     QString help;
-    std::variant<NumberProperty, ChoiceProperty, ReadingProperty, PicturesProperty> kind;
+    std::variant<NumberProperty, ChoiceProperty, ReadingProperty, PicturesProperty, TableProperty> kind;
 };
 
 /// A section: rows, then paragraphs, then its buttons, two side by side. The first action of a primary
@@ -86,6 +92,9 @@ public:
     /// Sets what a row shows; tells nobody.
     void setValue(const QString& id, const QVariant& value);
 
+    /// Sets what a table shows; tells nobody.
+    void setColumns(const QString& id, const std::vector<FigureColumn>& columns, int chosen);
+
     /// A reading's value is written in red while it misses its goal.
     void setMissesGoal(const QString& id, bool misses);
     void setOwner(const QString& words);
@@ -93,6 +102,8 @@ public:
 Q_SIGNALS:
     void previewed(const QString& id, const QVariant& value);
     void committed(const QString& id, const QVariant& value);
+    /// A column of a table was taken, not only chosen.
+    void taken(const QString& id, int column);
 
 private:
     struct Row {
@@ -102,6 +113,7 @@ private:
         QLabel* reading = nullptr;
         QLabel* goal = nullptr;
         PictureList* pictures = nullptr;
+        FigureTable* table = nullptr;
         NumberProperty number;
     };
 
@@ -111,6 +123,7 @@ private:
     QWidget* makeChoice(const Property& property, const ChoiceProperty& choice, Row& row);
     QWidget* makeReading(const ReadingProperty& reading, Row& row);
     QWidget* makePictures(const Property& property, const PicturesProperty& pictures, Row& row);
+    QWidget* makeTable(const Property& property, const TableProperty& table, Row& row);
     QWidget* makeEditor(const Property& property, Row& row);
     void addButtons(const PropertySection& section, QVBoxLayout* column);
     void connectSlider(const QString& id, const Row& row);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double edge = 12; ///< from the view's border, logical pixels
 
-constexpr double smallWidth = 460; ///< a view below is small, logical pixels
+constexpr double smallWidth = 420; ///< a view below is small, logical pixels
 constexpr double smallHeight = 330;
 constexpr int mostMarkTexts = 6;
 
