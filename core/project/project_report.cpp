@@ -38,7 +38,8 @@ std::vector<std::string> variantRow(const IndexedMesh& part, const Variant& vari
         {figures.castable ? "yes" : "no", figureRoundedDown(figures.worstDraftDegrees, 2) + "°",
          figures.strain ? figure(100 * *figures.strain, 1) + " %" : none, figure(figures.largestDistance, 2),
          figures.rmsDistance ? figure(*figures.rmsDistance, 2) : none, figure(figures.filledVolume / 1000, 2),
-         block ? sizeInMillimetres(*block) : none, figures.steps > 0 ? std::to_string(figures.steps) : none});
+         block ? figure(block->x(), 0) + " × " + figure(block->y(), 0) + " × " + figure(block->z(), 0) : none,
+         figures.steps > 0 ? std::to_string(figures.steps) : none});
     return row;
 }
 
@@ -49,7 +50,7 @@ std::optional<ReportTable> variantTable(const Project& project) {
     ReportTable table;
     table.title = "Variants of this part";
     table.columns = {"Variant", "Castable",    "Worst draft", "Strain", "Farthest, mm",
-                     "RMS, mm", "Filled, cm³", "Block",       "Steps"};
+                     "RMS, mm", "Filled, cm³", "Block, mm",   "Steps"};
     for (std::size_t i = 0; i < variantCount(project); ++i)
         table.rows.push_back(variantRow(*project.part, variantAt(project, i)));
     table.strongRow = project.place;
