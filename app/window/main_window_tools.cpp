@@ -216,7 +216,7 @@ void MainWindow::connectPinActions() {
             m_bench.removePin(pinNumber(m_selected));
         else
             m_bench.removeRegion(region);
-        m_visible.hidden.clear(); // those after it have other numbers now
+        forgetRow(m_visible, m_selected);
         select(region < 0 ? u"pins"_s : allRegionsId());
     });
     m_actions.on(u"clear-pins"_s, [this] { m_bench.clearPins(); });

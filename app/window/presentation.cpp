@@ -8,6 +8,7 @@
 #include "window/importance_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
+#include "window/row_id.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
 #include "window/workbench.h"
@@ -276,6 +277,18 @@ void toggle(Visibility& visible, const QString& id) {
         *shown = !*shown;
     else if (visible.hidden.erase(id) == 0)
         visible.hidden.insert(id);
+}
+
+void forgetRow(Visibility& visible, const QString& id) {
+    const QString kind = id.left(id.lastIndexOf(u'-') + 1);
+    const int removed = numberAfter(kind, id);
+    std::set<QString> hidden;
+    for (const QString& row : visible.hidden) {
+        const int number = numberAfter(kind, row);
+        if (row != id)
+            hidden.insert(number > removed ? kind + QString::number(number - 1) : row);
+    }
+    visible.hidden = std::move(hidden);
 }
 
 Verdict verdictOf(const Workbench& bench) {

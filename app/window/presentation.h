@@ -34,6 +34,8 @@ struct Visibility {
 
 /// Shows or hides what the eye of a row in the tree stands for.
 void toggle(Visibility& visible, const QString& id);
+/// A row of numbered ones ("pin-3") is removed: those after it get the number before theirs.
+void forgetRow(Visibility& visible, const QString& id);
 
 /// The steps of the job.
 enum class Step { Part, Plane, Guides, Deform, Check, Mold, Report };

@@ -16,6 +16,7 @@
 #include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
+#include "window/presentation.h"
 
 #include <QApplication>
 #include <QFile>
@@ -29,6 +30,7 @@
 #include <set>
 
 using namespace moldwright;
+using namespace Qt::StringLiterals;
 using test::WindowDriver;
 
 namespace {
@@ -366,4 +368,13 @@ TEST(Pins, ARunDrawsThemIntoThePlane) {
         told = told || driver.bench().messages()->at(row).text.startsWith(QStringLiteral("Pins:"));
     EXPECT_TRUE(told);
     driver.shot("36-pinned-cast");
+}
+
+TEST(Visibility, ARemovedRowTakesItsOwnEyeAlone) {
+    Visibility visible;
+    visible.hidden = {u"pin-1"_s, u"pin-3"_s, u"pin-12"_s, u"region-5"_s};
+    forgetRow(visible, u"pin-2"_s);
+    EXPECT_EQ(visible.hidden, (std::set<QString>{u"pin-1"_s, u"pin-2"_s, u"pin-11"_s, u"region-5"_s}));
+    forgetRow(visible, u"pin-1"_s);
+    EXPECT_EQ(visible.hidden, (std::set<QString>{u"pin-1"_s, u"pin-10"_s, u"region-5"_s}));
 }

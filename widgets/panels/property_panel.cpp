@@ -13,8 +13,10 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace moldwright {
@@ -47,15 +49,33 @@ QLabel* makeLabel(const QString& text, QWidget* parent, bool bold, int pixels = 
     return label;
 }
 
-/// A push button that shows an action: text, icon, tool tip, enabled, as the action says.
-QPushButton* actionButton(QAction* action, QWidget* parent, bool primary) {
+/// Fills the button with the accent colour, or not.
+void setFilled(QPushButton* button, bool filled) {
+    if (button->property("primary").toBool() == filled)
+        return;
+    button->setProperty("primary", filled);
+    button->style()->unpolish(button); // the style sheet is asked once only
+    button->style()->polish(button);
+}
+
+/// Whether the button of an action is filled: of tools the one in use, else what is to be done next.
+bool isFilled(const QAction* action, const PropertySection& section) {
+    if (action->isCheckable() && std::ranges::any_of(section.buttons, &QAction::isChecked))
+        return action->isChecked();
+    return section.primary && action == section.buttons.front();
+}
+
+/// A push button that shows an action of a section: text, icon, tool tip, enabled, as the action says.
+QPushButton* actionButton(QAction* action, const PropertySection& section, QWidget* parent) {
     auto* button = new QPushButton(parent);
-    button->setProperty("primary", primary);
+    button->setProperty("primary", false);
     button->setObjectName(QStringLiteral("button-") + action->objectName());
     button->setMinimumHeight(28);
-    const auto follow = [button, action, primary] {
+    const auto follow = [button, action, section] {
+        const bool filled = isFilled(action, section);
+        setFilled(button, filled);
         button->setText(plainText(action->text()));
-        button->setIcon(primary && action->isEnabled()
+        button->setIcon(filled && action->isEnabled()
                             ? tintedIcon(action->property("iconName").toString(), Qt::white)
                             : action->icon());
         button->setEnabled(action->isEnabled());
@@ -63,7 +83,8 @@ QPushButton* actionButton(QAction* action, QWidget* parent, bool primary) {
         button->setToolTip(action->toolTip());
     };
     follow();
-    QObject::connect(action, &QAction::changed, button, follow);
+    for (const QAction* any : section.buttons)
+        QObject::connect(any, &QAction::changed, button, follow);
     QObject::connect(button, &QPushButton::clicked, action, [action] { action->trigger(); });
     return button;
 }
@@ -274,7 +295,7 @@ void PropertyPanel::addButtons(const PropertySection& section, QVBoxLayout* colu
     int room = 0;
     for (std::size_t i = 0; i < section.buttons.size(); ++i) {
         const bool first = i == 0 && section.primary;
-        QPushButton* button = actionButton(section.buttons[i], this, first);
+        QPushButton* button = actionButton(section.buttons[i], section, this);
         const bool alone = first && section.buttons.size() % 2 == 1;
         const int width = button->sizeHint().width();
         if (!line || line->count() == 2 || alone || width > room) {
