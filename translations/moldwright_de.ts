@@ -1497,66 +1497,6 @@
         <translation>Zum Teil, bezogen auf seine Diagonale, nach bester starrer Einpassung.</translation>
     </message>
     <message>
-        <source>Mold</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>Two halves around the cast.</source>
-        <translation>Zwei Hälften um den Guss.</translation>
-    </message>
-    <message>
-        <source>Block</source>
-        <translation>Block</translation>
-    </message>
-    <message>
-        <source>Wall</source>
-        <translation>Wand</translation>
-    </message>
-    <message>
-        <source>Steel between the cavity and each side face.</source>
-        <translation>Stahl zwischen Hohlraum und jeder Seitenfläche.</translation>
-    </message>
-    <message>
-        <source>Over half 1</source>
-        <translation>Über Hälfte 1</translation>
-    </message>
-    <message>
-        <source>Steel over the cavity of half 1.</source>
-        <translation>Stahl über dem Hohlraum von Hälfte 1.</translation>
-    </message>
-    <message>
-        <source>Under half 2</source>
-        <translation>Unter Hälfte 2</translation>
-    </message>
-    <message>
-        <source>Steel under the cavity of half 2.</source>
-        <translation>Stahl unter dem Hohlraum von Hälfte 2.</translation>
-    </message>
-    <message>
-        <source>Half 1, mm</source>
-        <translation>Hälfte 1, mm</translation>
-    </message>
-    <message>
-        <source>Half 2, mm</source>
-        <translation>Hälfte 2, mm</translation>
-    </message>
-    <message>
-        <source>Cavity</source>
-        <translation>Hohlraum</translation>
-    </message>
-    <message>
-        <source>Both halves</source>
-        <translation>Beide Hälften</translation>
-    </message>
-    <message>
-        <source>Smallest steel</source>
-        <translation>Kleinster Stahl</translation>
-    </message>
-    <message>
-        <source>Comes off</source>
-        <translation>Lässt sich abziehen</translation>
-    </message>
-    <message>
         <source>Cast</source>
         <translation>Guss</translation>
     </message>
@@ -1625,14 +1565,6 @@
         <translation>nein</translation>
     </message>
     <message>
-        <source>out of date</source>
-        <translation>veraltet</translation>
-    </message>
-    <message>
-        <source>proved</source>
-        <translation>bewiesen</translation>
-    </message>
-    <message>
         <source>Scale the part</source>
         <translation>Teil skalieren</translation>
     </message>
@@ -1647,10 +1579,6 @@
     <message>
         <source>Change the deformation&apos;s settings</source>
         <translation>Einstellungen der Verformung ändern</translation>
-    </message>
-    <message>
-        <source>Change the block</source>
-        <translation>Block ändern</translation>
     </message>
     <message>
         <source>Direction %1</source>
@@ -1795,6 +1723,10 @@
     <message>
         <source>How much neighbours turn alike in the paper&apos;s method.</source>
         <translation>Wie sehr sich Nachbarn im veröffentlichten Verfahren gleich drehen.</translation>
+    </message>
+    <message>
+        <source>Change the mold</source>
+        <translation>Form ändern</translation>
     </message>
 </context>
 <context>
@@ -4198,6 +4130,261 @@
     <message>
         <source>%1, the current one</source>
         <translation>%1, die aktuelle</translation>
+    </message>
+</context>
+<context>
+    <name>MoldPages</name>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Steel between the cavities and each side face.</source>
+        <translation>Stahl zwischen den Kavitäten und jeder Seitenfläche.</translation>
+    </message>
+    <message>
+        <source>Over half 1</source>
+        <translation>Über Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Steel over the cavities of half 1.</source>
+        <translation>Stahl über den Kavitäten von Hälfte 1.</translation>
+    </message>
+    <message>
+        <source>Under half 2</source>
+        <translation>Unter Hälfte 2</translation>
+    </message>
+    <message>
+        <source>Steel under the cavities of half 2.</source>
+        <translation>Stahl unter den Kavitäten von Hälfte 2.</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>Kavitäten</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Cavities in a row.</source>
+        <translation>Kavitäten in einer Reihe.</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Rows of cavities.</source>
+        <translation>Reihen von Kavitäten.</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>How rows lie to each other. Packed: as close as the outlines allow.</source>
+        <translation>Wie die Reihen zueinander liegen. Dicht: so eng, wie die Umrisse erlauben.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Staggered</source>
+        <translation>Versetzt</translation>
+    </message>
+    <message>
+        <source>Packed</source>
+        <translation>Dicht</translation>
+    </message>
+    <message>
+        <source>Steel between</source>
+        <translation>Stahl dazwischen</translation>
+    </message>
+    <message>
+        <source>Between cavities, and between them and channels.</source>
+        <translation>Zwischen Kavitäten, und zwischen ihnen und Kanälen.</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Schwindung</translation>
+    </message>
+    <message>
+        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
+        <translation>Wie viel der Werkstoff schwindet, entlang aller Achsen gleich; um so viel wird die Kavität größer. Unter 0: er dehnt sich aus.</translation>
+    </message>
+    <message>
+        <source>Made larger by</source>
+        <translation>Vergrößert um</translation>
+    </message>
+    <message>
+        <source>Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which.</source>
+        <translation>Beide sind üblich; bei 5 % sind es 1,0500 und 1,0526. Der Bericht nennt, welche.</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Spout</source>
+        <translation>Anguss</translation>
+    </message>
+    <message>
+        <source>In the parting plane for a mold that stands on its edge; through half 1 for one that lies flat: that one breaks off at its neck.</source>
+        <translation>In der Trennebene für eine Form, die auf der Kante steht; durch Hälfte 1 für eine, die flach liegt: dieser bricht am Hals ab.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>In the parting plane</source>
+        <translation>In der Trennebene</translation>
+    </message>
+    <message>
+        <source>Through half 1</source>
+        <translation>Durch Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Spout&apos;s width</source>
+        <translation>Weite des Angusses</translation>
+    </message>
+    <message>
+        <source>In the parting plane; of one through half 1, above its neck.</source>
+        <translation>In der Trennebene; bei einem durch Hälfte 1 über dem Hals.</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Hals</translation>
+    </message>
+    <message>
+        <source>Where a spout through half 1 breaks off.</source>
+        <translation>Wo ein Anguss durch Hälfte 1 abbricht.</translation>
+    </message>
+    <message>
+        <source>Vents</source>
+        <translation>Entlüftungen</translation>
+    </message>
+    <message>
+        <source>Where air would stay while the mold is filled.</source>
+        <translation>Wo beim Füllen Luft bliebe.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Cast hollow</source>
+        <translation>Hohl gießen</translation>
+    </message>
+    <message>
+        <source>The wall that stays when the rest is poured out again; 0: solid.</source>
+        <translation>Die Wand, die bleibt, wenn der Rest wieder ausgegossen wird; 0: voll.</translation>
+    </message>
+    <message>
+        <source>Closing and opening</source>
+        <translation>Schließen und Öffnen</translation>
+    </message>
+    <message>
+        <source>Registration keys</source>
+        <translation>Zentrierzapfen</translation>
+    </message>
+    <message>
+        <source>On half 2, in sockets of half 1; one is larger, so that the halves fit one way only.</source>
+        <translation>Auf Hälfte 2, in Taschen von Hälfte 1; einer ist größer, damit die Hälften nur auf eine Weise passen.</translation>
+    </message>
+    <message>
+        <source>Their clearance</source>
+        <translation>Ihr Spiel</translation>
+    </message>
+    <message>
+        <source>On all sides and in depth.</source>
+        <translation>Auf allen Seiten und in der Tiefe.</translation>
+    </message>
+    <message>
+        <source>Wedge slits</source>
+        <translation>Keilschlitze</translation>
+    </message>
+    <message>
+        <source>Notches at the edge of the plane, to pry the halves apart.</source>
+        <translation>Kerben am Rand der Ebene, um die Hälften auseinanderzuhebeln.</translation>
+    </message>
+    <message>
+        <source>Bolt holes</source>
+        <translation>Schraubenlöcher</translation>
+    </message>
+    <message>
+        <source>Straight through both halves.</source>
+        <translation>Gerade durch beide Hälften.</translation>
+    </message>
+    <message>
+        <source>Ejector holes</source>
+        <translation>Auswerferlöcher</translation>
+    </message>
+    <message>
+        <source>For each cavity.</source>
+        <translation>Für jede Kavität.</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>bewiesen</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Two halves around the cast.</source>
+        <translation>Zwei Hälften um den Guss.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Half 1, mm</source>
+        <translation>Hälfte 1, mm</translation>
+    </message>
+    <message>
+        <source>Half 2, mm</source>
+        <translation>Hälfte 2, mm</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Air that stays</source>
+        <translation>Luft, die bleibt</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>Beide Hälften</translation>
+    </message>
+    <message>
+        <source>Clamp force</source>
+        <translation>Schließkraft</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>Kleinster Stahl</translation>
+    </message>
+    <message>
+        <source>Comes off</source>
+        <translation>Lässt sich abziehen</translation>
     </message>
 </context>
 </TS>

@@ -1884,66 +1884,6 @@
         <translation>解决办法</translation>
     </message>
     <message>
-        <source>Mold</source>
-        <translation>模具</translation>
-    </message>
-    <message>
-        <source>Two halves around the cast.</source>
-        <translation>围绕铸件的两个半模。</translation>
-    </message>
-    <message>
-        <source>Block</source>
-        <translation>模块</translation>
-    </message>
-    <message>
-        <source>Wall</source>
-        <translation>壁厚</translation>
-    </message>
-    <message>
-        <source>Steel between the cavity and each side face.</source>
-        <translation>型腔与各侧面之间的钢材。</translation>
-    </message>
-    <message>
-        <source>Over half 1</source>
-        <translation>半模 1 之上</translation>
-    </message>
-    <message>
-        <source>Steel over the cavity of half 1.</source>
-        <translation>半模 1 型腔之上的钢材。</translation>
-    </message>
-    <message>
-        <source>Under half 2</source>
-        <translation>半模 2 之下</translation>
-    </message>
-    <message>
-        <source>Steel under the cavity of half 2.</source>
-        <translation>半模 2 型腔之下的钢材。</translation>
-    </message>
-    <message>
-        <source>Half 1, mm</source>
-        <translation>半模 1，mm</translation>
-    </message>
-    <message>
-        <source>Half 2, mm</source>
-        <translation>半模 2，mm</translation>
-    </message>
-    <message>
-        <source>Cavity</source>
-        <translation>型腔</translation>
-    </message>
-    <message>
-        <source>Both halves</source>
-        <translation>两个半模</translation>
-    </message>
-    <message>
-        <source>Smallest steel</source>
-        <translation>最薄钢材</translation>
-    </message>
-    <message>
-        <source>Comes off</source>
-        <translation>可脱开</translation>
-    </message>
-    <message>
         <source>Cast</source>
         <translation>铸件</translation>
     </message>
@@ -2020,14 +1960,6 @@
         <translation>否</translation>
     </message>
     <message>
-        <source>out of date</source>
-        <translation>已过时</translation>
-    </message>
-    <message>
-        <source>proved</source>
-        <translation>已证明</translation>
-    </message>
-    <message>
         <source>Turn direction %1</source>
         <translation>转动方向 %1</translation>
     </message>
@@ -2046,10 +1978,6 @@
     <message>
         <source>Change the deformation&apos;s settings</source>
         <translation>更改变形设置</translation>
-    </message>
-    <message>
-        <source>Change the block</source>
-        <translation>更改模块</translation>
     </message>
     <message>
         <source>While it bends</source>
@@ -2074,6 +2002,10 @@
     <message>
         <source>How much neighbours turn alike in the paper&apos;s method.</source>
         <translation>论文方法中相邻部分一同转动的程度。</translation>
+    </message>
+    <message>
+        <source>Change the mold</source>
+        <translation>更改模具</translation>
     </message>
 </context>
 <context>
@@ -4198,6 +4130,261 @@
     <message>
         <source>%1, the current one</source>
         <translation>%1，当前变型</translation>
+    </message>
+</context>
+<context>
+    <name>MoldPages</name>
+    <message>
+        <source>Block</source>
+        <translation>模块</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁厚</translation>
+    </message>
+    <message>
+        <source>Steel between the cavities and each side face.</source>
+        <translation>型腔与各侧面之间的钢料。</translation>
+    </message>
+    <message>
+        <source>Over half 1</source>
+        <translation>半模 1 之上</translation>
+    </message>
+    <message>
+        <source>Steel over the cavities of half 1.</source>
+        <translation>半模 1 型腔上方的钢料。</translation>
+    </message>
+    <message>
+        <source>Under half 2</source>
+        <translation>半模 2 之下</translation>
+    </message>
+    <message>
+        <source>Steel under the cavities of half 2.</source>
+        <translation>半模 2 型腔下方的钢料。</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>型腔</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>Cavities in a row.</source>
+        <translation>每行的型腔数。</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Rows of cavities.</source>
+        <translation>型腔的行数。</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>排列</translation>
+    </message>
+    <message>
+        <source>How rows lie to each other. Packed: as close as the outlines allow.</source>
+        <translation>各行的相对位置。紧密：按轮廓允许的最近距离。</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Staggered</source>
+        <translation>交错</translation>
+    </message>
+    <message>
+        <source>Packed</source>
+        <translation>紧密</translation>
+    </message>
+    <message>
+        <source>Steel between</source>
+        <translation>间隔钢料</translation>
+    </message>
+    <message>
+        <source>Between cavities, and between them and channels.</source>
+        <translation>型腔之间，以及型腔与流道之间。</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>收缩率</translation>
+    </message>
+    <message>
+        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
+        <translation>材料的收缩量，各轴相同；型腔按此放大。小于 0 表示膨胀。</translation>
+    </message>
+    <message>
+        <source>Made larger by</source>
+        <translation>放大系数</translation>
+    </message>
+    <message>
+        <source>Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which.</source>
+        <translation>两种都在使用；5 % 时分别为 1.0500 和 1.0526。报告中会注明。</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>浇注</translation>
+    </message>
+    <message>
+        <source>Spout</source>
+        <translation>浇口</translation>
+    </message>
+    <message>
+        <source>In the parting plane for a mold that stands on its edge; through half 1 for one that lies flat: that one breaks off at its neck.</source>
+        <translation>立放的模具在分型面内；平放的模具穿过半模 1，并在颈部折断。</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>In the parting plane</source>
+        <translation>在分型面内</translation>
+    </message>
+    <message>
+        <source>Through half 1</source>
+        <translation>穿过半模 1</translation>
+    </message>
+    <message>
+        <source>Spout&apos;s width</source>
+        <translation>浇口宽度</translation>
+    </message>
+    <message>
+        <source>In the parting plane; of one through half 1, above its neck.</source>
+        <translation>在分型面内；穿过半模 1 时为颈部上方。</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>颈部</translation>
+    </message>
+    <message>
+        <source>Where a spout through half 1 breaks off.</source>
+        <translation>穿过半模 1 的浇口在此折断。</translation>
+    </message>
+    <message>
+        <source>Vents</source>
+        <translation>排气</translation>
+    </message>
+    <message>
+        <source>Where air would stay while the mold is filled.</source>
+        <translation>浇注时空气会滞留之处。</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Cast hollow</source>
+        <translation>空心浇铸</translation>
+    </message>
+    <message>
+        <source>The wall that stays when the rest is poured out again; 0: solid.</source>
+        <translation>倒出其余材料后留下的壁厚；0 表示实心。</translation>
+    </message>
+    <message>
+        <source>Closing and opening</source>
+        <translation>合模与开模</translation>
+    </message>
+    <message>
+        <source>Registration keys</source>
+        <translation>定位销</translation>
+    </message>
+    <message>
+        <source>On half 2, in sockets of half 1; one is larger, so that the halves fit one way only.</source>
+        <translation>位于半模 2，嵌入半模 1 的凹槽；其中一个较大，使两半只能以一种方式配合。</translation>
+    </message>
+    <message>
+        <source>Their clearance</source>
+        <translation>其间隙</translation>
+    </message>
+    <message>
+        <source>On all sides and in depth.</source>
+        <translation>各侧及深度方向。</translation>
+    </message>
+    <message>
+        <source>Wedge slits</source>
+        <translation>撬模槽</translation>
+    </message>
+    <message>
+        <source>Notches at the edge of the plane, to pry the halves apart.</source>
+        <translation>分型面边缘的缺口，用于撬开两半。</translation>
+    </message>
+    <message>
+        <source>Bolt holes</source>
+        <translation>螺栓孔</translation>
+    </message>
+    <message>
+        <source>Straight through both halves.</source>
+        <translation>直穿两半。</translation>
+    </message>
+    <message>
+        <source>Ejector holes</source>
+        <translation>顶针孔</translation>
+    </message>
+    <message>
+        <source>For each cavity.</source>
+        <translation>每个型腔。</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>已过时</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>已证明</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>模具</translation>
+    </message>
+    <message>
+        <source>Two halves around the cast.</source>
+        <translation>围绕铸件的两个半模。</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>Half 1, mm</source>
+        <translation>半模 1，mm</translation>
+    </message>
+    <message>
+        <source>Half 2, mm</source>
+        <translation>半模 2，mm</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>流道</translation>
+    </message>
+    <message>
+        <source>Air that stays</source>
+        <translation>滞留空气</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>两个半模</translation>
+    </message>
+    <message>
+        <source>Clamp force</source>
+        <translation>锁模力</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>最薄钢材</translation>
+    </message>
+    <message>
+        <source>Comes off</source>
+        <translation>可脱开</translation>
     </message>
 </context>
 </TS>

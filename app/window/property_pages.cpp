@@ -3,6 +3,7 @@
 
 #include "window/action_table.h"
 #include "window/importance_pages.h"
+#include "window/mold_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/presentation.h"
@@ -235,34 +236,6 @@ PropertyPage obstructionPage(int number, const Workbench& bench, const Actions& 
         if (actions[id] != remedies.front())
             remedies.push_back(actions[id]);
     page.sections.push_back({Words::tr("What helps"), {}, remedies, true, known});
-    return page;
-}
-
-PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
-    PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), Words::tr("Two halves around the cast."), {}};
-    page.layout = bench.moldIsCurrent() ? u"built"_s : QString();
-    const NumberProperty wall{u"mm"_s, 1, 100, 0.5, 1, true};
-    NumberProperty steel = wall;
-    steel.maximum = 25;
-    page.sections.push_back({Words::tr("Block"),
-                             {number(u"wall"_s, Words::tr("Wall"),
-                                     Words::tr("Steel between the cavity and each side face."), steel),
-                              number(u"ceiling"_s, Words::tr("Over half 1"),
-                                     Words::tr("Steel over the cavity of half 1."), steel),
-                              number(u"floor"_s, Words::tr("Under half 2"),
-                                     Words::tr("Steel under the cavity of half 2."), steel)},
-                             bench.moldIsCurrent()
-                                 ? std::vector<QAction*>{actions[u"export-mold"_s], actions[u"build-mold"_s],
-                                                         actions[u"open-mold"_s]}
-                                 : std::vector<QAction*>{actions[u"build-mold"_s]},
-                             true});
-    page.sections.push_back(
-        {Words::tr("Measured"),
-         {reading(u"half1"_s, Words::tr("Half 1, mm")), reading(u"half2"_s, Words::tr("Half 2, mm")),
-          reading(u"cavity"_s, Words::tr("Cavity")), reading(u"halves"_s, Words::tr("Both halves")),
-          reading(u"steel"_s, Words::tr("Smallest steel")), reading(u"proof"_s, Words::tr("Comes off"))},
-         {},
-         false});
     return page;
 }
 

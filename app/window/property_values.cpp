@@ -8,6 +8,7 @@
 #include "scene/direction_handle.h"
 #include "scene/plane_handle.h"
 #include "window/importance_pages.h"
+#include "window/mold_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/presentation.h"
@@ -135,31 +136,6 @@ void fillObstruction(PropertyPanel& panel, const Workbench& bench) {
     panel.setValue(u"obstruction-side"_s, measured(QString::number(obstruction.side)));
 }
 
-void fillMold(PropertyPanel& panel, const Workbench& bench) {
-    if (panel.pageId() != u"mold"_s)
-        return;
-    const MoldSettings& settings = bench.project().mold;
-    panel.setValue(u"wall"_s, settings.wall);
-    panel.setValue(u"ceiling"_s, settings.ceiling);
-    panel.setValue(u"floor"_s, settings.floor);
-    if (!bench.mold())
-        return;
-    const Mold& mold = *bench.mold();
-    const auto size = [](const Eigen::Vector3d& s) {
-        return u"%1 × %2 × %3"_s.arg(s.x(), 0, 'f', 1).arg(s.y(), 0, 'f', 1).arg(s.z(), 0, 'f', 1);
-    };
-    panel.setValue(u"half1"_s, measured(size(mold.half1.size)));
-    panel.setValue(u"half2"_s, measured(size(mold.half2.size)));
-    panel.setValue(u"cavity"_s, measured(u"%1 cm³"_s.arg(mold.cavityVolume / 1000, 0, 'f', 1)));
-    panel.setValue(u"halves"_s,
-                   measured(u"%1 cm³"_s.arg((mold.half1.volume + mold.half2.volume) / 1000, 0, 'f', 0)));
-    panel.setValue(u"steel"_s, measured(u"%1 mm"_s.arg(mold.minWall, 0, 'f', 2)));
-    panel.setValue(u"proof"_s, measured(!bench.moldIsCurrent() ? Words::tr("out of date")
-                                        : mold.verified()      ? Words::tr("proved")
-                                                               : Words::tr("no")));
-    panel.setMissesGoal(u"proof"_s, !mold.verified());
-}
-
 Placement scaledTo(const Project& project, double longest) {
     const double now = boundingBox(*project.part).sizes().maxCoeff();
     Placement placement = project.placement;
@@ -212,7 +188,6 @@ Edit directionEdit(const Project& project, const QString& id, double degrees) {
 std::optional<Edit> editFor(const Project& project, const QString& id, const QVariant& value) {
     const double number = value.toDouble();
     DesignSettings design = project.design;
-    MoldSettings mold = project.mold;
     if (id == u"size"_s)
         return Edit{Words::tr("Scale the part"), withPlacement(project, scaledTo(project, number))};
     for (int axis = 0; axis < 3; ++axis)
@@ -244,16 +219,10 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
         design.method = value.toInt() == 1 ? DeformationMethod::Paper : DeformationMethod::Default;
     else if (id == u"fill"_s)
         design.fill = value.toInt() == 1 ? FillChoice::Auto : FillChoice::None;
-    else if (id == u"wall"_s)
-        mold.wall = number;
-    else if (id == u"ceiling"_s)
-        mold.ceiling = number;
-    else if (id == u"floor"_s)
-        mold.floor = number;
     if (!(design == project.design))
         return Edit{Words::tr("Change the deformation's settings"), withDesignSettings(project, design)};
-    if (!(mold == project.mold))
-        return Edit{Words::tr("Change the block"), withMoldSettings(project, mold)};
+    if (auto molded = withMoldValue(project, id, number))
+        return Edit{Words::tr("Change the mold"), std::move(*molded)};
     return std::nullopt;
 }
 
@@ -282,7 +251,7 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     fillState(panel, bench);
     fillMeasures(panel, bench);
     fillProof(panel, bench);
-    fillMold(panel, bench);
+    fillMoldPage(panel, bench);
     fillObstruction(panel, bench);
     fillUndercutPage(panel, bench);
     fillPinPage(panel, bench);

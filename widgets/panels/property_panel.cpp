@@ -60,7 +60,7 @@ void setFilled(QPushButton* button, bool filled) {
 
 /// Whether the button of an action is filled: of tools the one in use, else what is to be done next.
 bool isFilled(const QAction* action, const PropertySection& section) {
-    if (action->isCheckable() && std::ranges::any_of(section.buttons, &QAction::isChecked))
+    if (std::ranges::any_of(section.buttons, &QAction::isChecked))
         return action->isChecked();
     return section.primary && action == section.buttons.front();
 }

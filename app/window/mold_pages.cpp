@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/mold_pages.h"
+
+#include "project/edits.h"
+#include "window/action_table.h"
+#include "window/workbench.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(MoldPages)
+};
+
+/// A setting of the mold: its row, and how a value comes from the settings and goes into them.
+struct Field {
+    Property row;
+    std::function<double(const MoldSettings&)> read;
+    std::function<void(MoldSettings&, double)> write;
+};
+
+struct FieldSection {
+    QString title;
+    std::vector<Field> fields;
+};
+
+NumberProperty millimetres(double least, double most, bool slider = false) {
+    return {u"mm"_s, least, most, 0.5, 1, slider};
+}
+
+/// A field for one number, found in the settings by `place`.
+template <class Place>
+Field numberField(const QString& id, const QString& label, const QString& help, NumberProperty kind,
+                  Place place) {
+    return {{id, label, help, std::move(kind)},
+            [place](const MoldSettings& mold) {
+                MoldSettings copy = mold;
+                return static_cast<double>(place(copy));
+            },
+            [place](MoldSettings& mold, double value) {
+                auto& number = place(mold);
+                number = static_cast<std::remove_reference_t<decltype(number)>>(value);
+            }};
+}
+
+template <class Place>
+Field countField(const QString& id, const QString& label, const QString& help, int most, Place place) {
+    return numberField(id, label, help, NumberProperty{{}, 0, static_cast<double>(most), 1, 0, false}, place);
+}
+
+FieldSection blockFields() {
+    const NumberProperty steel = millimetres(1, 25, true);
+    return {
+        Words::tr("Block"),
+        {numberField(u"wall"_s, Words::tr("Wall"),
+                     Words::tr("Steel between the cavities and each side face."), steel,
+                     [](MoldSettings& mold) -> double& { return mold.wall; }),
+         numberField(u"ceiling"_s, Words::tr("Over half 1"), Words::tr("Steel over the cavities of half 1."),
+                     steel, [](MoldSettings& mold) -> double& { return mold.ceiling; }),
+         numberField(u"floor"_s, Words::tr("Under half 2"), Words::tr("Steel under the cavities of half 2."),
+                     steel, [](MoldSettings& mold) -> double& { return mold.floor; })}};
+}
+
+FieldSection cavityFields() {
+    const NumberProperty upTo{{}, 1, 12, 1, 0, false};
+    return {Words::tr("Cavities"),
+            {numberField(u"columns"_s, Words::tr("Side by side"), Words::tr("Cavities in a row."), upTo,
+                         [](MoldSettings& mold) -> int& { return mold.layout.columns; }),
+             numberField(u"rows"_s, Words::tr("Rows"), Words::tr("Rows of cavities."), upTo,
+                         [](MoldSettings& mold) -> int& { return mold.layout.rows; }),
+             {{u"arrangement"_s, Words::tr("Arrangement"),
+               Words::tr("How rows lie to each other. Packed: as close as the outlines allow."),
+               ChoiceProperty{{Words::tr("Grid"), Words::tr("Staggered"), Words::tr("Packed")}}},
+              [](const MoldSettings& mold) { return static_cast<double>(mold.layout.arrangement); },
+              [](MoldSettings& mold, double value) {
+                  mold.layout.arrangement = static_cast<Arrangement>(static_cast<int>(value));
+              }},
+             numberField(u"spacing"_s, Words::tr("Steel between"),
+                         Words::tr("Between cavities, and between them and channels."), millimetres(1, 50),
+                         [](MoldSettings& mold) -> double& { return mold.layout.spacing; }),
+             {{u"shrink"_s, Words::tr("Shrink"),
+               Words::tr("By how much the material shrinks, the same along all axes; the cavity is made "
+                         "larger by it. Less than 0: it expands."),
+               NumberProperty{u"%"_s, -5, 20, 0.1, 2, false}},
+              [](const MoldSettings& mold) { return mold.shrink.percent.x(); },
+              [](MoldSettings& mold, double value) { mold.shrink.percent.setConstant(value); }},
+             {{u"shrink-formula"_s, Words::tr("Made larger by"),
+               Words::tr("Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which."),
+               ChoiceProperty{{u"1 + S"_s, u"1 / (1 − S)"_s}}},
+              [](const MoldSettings& mold) { return static_cast<double>(mold.shrink.formula); },
+              [](MoldSettings& mold, double value) {
+                  mold.shrink.formula = value == 0 ? ShrinkFormula::Plus : ShrinkFormula::Divide;
+              }}}};
+}
+
+FieldSection fillingFields() {
+    return {
+        Words::tr("Filling"),
+        {{{u"spout"_s, Words::tr("Spout"),
+           Words::tr("In the parting plane for a mold that stands on its edge; through half 1 for one "
+                     "that lies flat: that one breaks off at its neck."),
+           ChoiceProperty{
+               {Words::tr("None"), Words::tr("In the parting plane"), Words::tr("Through half 1")}}},
+          [](const MoldSettings& mold) {
+              return !mold.spout.on ? 0.0 : mold.spout.resting == Resting::Standing ? 1.0 : 2.0;
+          },
+          [](MoldSettings& mold, double value) {
+              mold.spout.on = value != 0;
+              mold.spout.resting = value == 2 ? Resting::Lying : Resting::Standing;
+          }},
+         numberField(u"spout-diameter"_s, Words::tr("Spout's width"),
+                     Words::tr("In the parting plane; of one through half 1, above its neck."),
+                     millimetres(2, 60), [](MoldSettings& mold) -> double& { return mold.spout.diameter; }),
+         numberField(u"spout-neck"_s, Words::tr("Neck"),
+                     Words::tr("Where a spout through half 1 breaks off."), millimetres(1, 30),
+                     [](MoldSettings& mold) -> double& { return mold.spout.neck; }),
+         {{u"vents"_s, Words::tr("Vents"), Words::tr("Where air would stay while the mold is filled."),
+           ChoiceProperty{{Words::tr("None"), Words::tr("Automatic")}}},
+          [](const MoldSettings& mold) { return mold.vents.on ? 1.0 : 0.0; },
+          [](MoldSettings& mold, double value) { mold.vents.on = value != 0; }},
+         numberField(u"hollow"_s, Words::tr("Cast hollow"),
+                     Words::tr("The wall that stays when the rest is poured out again; 0: solid."),
+                     millimetres(0, 50), [](MoldSettings& mold) -> double& { return mold.hollow.wall; })}};
+}
+
+FieldSection closingFields() {
+    return {Words::tr("Closing and opening"),
+            {countField(u"keys"_s, Words::tr("Registration keys"),
+                        Words::tr("On half 2, in sockets of half 1; one is larger, so that the halves fit "
+                                  "one way only."),
+                        12, [](MoldSettings& mold) -> int& { return mold.keys.count; }),
+             numberField(u"key-clearance"_s, Words::tr("Their clearance"),
+                         Words::tr("On all sides and in depth."), {u"mm"_s, 0, 2, 0.05, 2, false},
+                         [](MoldSettings& mold) -> double& { return mold.keys.clearance; }),
+             countField(u"slits"_s, Words::tr("Wedge slits"),
+                        Words::tr("Notches at the edge of the plane, to pry the halves apart."), 8,
+                        [](MoldSettings& mold) -> int& { return mold.slits.count; }),
+             countField(u"bolts"_s, Words::tr("Bolt holes"), Words::tr("Straight through both halves."), 12,
+                        [](MoldSettings& mold) -> int& { return mold.bolts.count; }),
+             countField(u"ejectors"_s, Words::tr("Ejector holes"), Words::tr("For each cavity."), 8,
+                        [](MoldSettings& mold) -> int& { return mold.ejectors.count; })}};
+}
+
+std::vector<FieldSection> fieldSections() {
+    return {blockFields(), cavityFields(), fillingFields(), closingFields()};
+}
+
+Property reading(const QString& id, const QString& label) {
+    return {id, label, {}, ReadingProperty{}};
+}
+
+QStringList measured(const QString& value) {
+    return {value, {}};
+}
+
+void fillMeasured(PropertyPanel& panel, const Workbench& bench, const Mold& mold) {
+    const auto size = [](const Eigen::Vector3d& s) {
+        return u"%1 × %2 × %3"_s.arg(s.x(), 0, 'f', 1).arg(s.y(), 0, 'f', 1).arg(s.z(), 0, 'f', 1);
+    };
+    const auto volume = [](double cubicMillimetres, int decimals) {
+        return measured(u"%1 cm³"_s.arg(cubicMillimetres / 1000, 0, 'f', decimals));
+    };
+    panel.setValue(u"half1"_s, measured(size(mold.half1.size)));
+    panel.setValue(u"half2"_s, measured(size(mold.half2.size)));
+    panel.setValue(u"cavity"_s, volume(mold.cavityVolume, 1));
+    panel.setValue(u"channels"_s, volume(mold.channelVolume, 1));
+    panel.setValue(u"trapped"_s, volume(mold.trappedAir, 2));
+    panel.setValue(u"halves"_s, volume(mold.half1.volume + mold.half2.volume, 0));
+    panel.setValue(u"clamp"_s, measured(u"%1 kN"_s.arg(mold.clampForce, 0, 'f', 2)));
+    panel.setValue(u"steel"_s, measured(u"%1 mm"_s.arg(mold.minWall, 0, 'f', 2)));
+    panel.setValue(u"proof"_s, measured(!bench.moldIsCurrent() ? Words::tr("out of date")
+                                        : mold.verified()      ? Words::tr("proved")
+                                                               : Words::tr("no")));
+    panel.setMissesGoal(u"proof"_s, !mold.verified());
+}
+
+} // namespace
+
+PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
+    PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), Words::tr("Two halves around the cast."), {}};
+    page.layout = bench.moldIsCurrent() ? u"built"_s : QString();
+    for (const FieldSection& section : fieldSections()) {
+        PropertySection rows{section.title, {}, {}, false};
+        for (const Field& field : section.fields)
+            rows.rows.push_back(field.row);
+        page.sections.push_back(std::move(rows));
+    }
+    page.sections.front().primary = true;
+    page.sections.front().buttons =
+        bench.moldIsCurrent()
+            ? std::vector{actions[u"export-mold"_s], actions[u"build-mold"_s], actions[u"open-mold"_s]}
+            : std::vector{actions[u"build-mold"_s]};
+    page.sections.push_back(
+        {Words::tr("Measured"),
+         {reading(u"half1"_s, Words::tr("Half 1, mm")), reading(u"half2"_s, Words::tr("Half 2, mm")),
+          reading(u"cavity"_s, Words::tr("Cavities")), reading(u"channels"_s, Words::tr("Channels")),
+          reading(u"trapped"_s, Words::tr("Air that stays")), reading(u"halves"_s, Words::tr("Both halves")),
+          reading(u"clamp"_s, Words::tr("Clamp force")), reading(u"steel"_s, Words::tr("Smallest steel")),
+          reading(u"proof"_s, Words::tr("Comes off"))},
+         {},
+         false});
+    return page;
+}
+
+void fillMoldPage(PropertyPanel& panel, const Workbench& bench) {
+    if (panel.pageId() != u"mold"_s)
+        return;
+    for (const FieldSection& section : fieldSections())
+        for (const Field& field : section.fields)
+            panel.setValue(field.row.id, field.read(bench.project().mold));
+    if (bench.mold())
+        fillMeasured(panel, bench, *bench.mold());
+}
+
+std::optional<Project> withMoldValue(const Project& project, const QString& id, double value) {
+    for (const FieldSection& section : fieldSections())
+        for (const Field& field : section.fields)
+            if (field.row.id == id) {
+                MoldSettings mold = project.mold;
+                field.write(mold, value);
+                return mold == project.mold ? std::nullopt : std::optional(withMoldSettings(project, mold));
+            }
+    return std::nullopt;
+}
+
+} // namespace moldwright
