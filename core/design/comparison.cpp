@@ -56,34 +56,31 @@ IndexedMesh fittedOver(const IndexedMesh& part, const Points& before, const Inde
     return movedBy(bestRigidFit(before, cast.V), part);
 }
 
-/// Area, and integral over it of the squared distance from `from` to `to`; between a face's corners the mean
-/// of their squares.
-std::pair<double, double> squaredDistance(const IndexedMesh& from, const IndexedMesh& to) {
-    const std::vector<double> distance = pointDistances(from, to);
+/// Area of a surface, and the integral over it of what its points have; between a face's corners their mean.
+std::pair<double, double> integralOver(const IndexedMesh& mesh, const std::vector<double>& values) {
     double area = 0;
     double sum = 0;
-    for (int f = 0; f < from.faceCount(); ++f) {
-        const double a = doubleAreaVector(from, f).norm() / 2;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const double a = doubleAreaVector(mesh, f).norm() / 2;
         area += a;
-        for (int k = 0; k < 3; ++k) {
-            const double d = distance[static_cast<std::size_t>(from.F(f, k))];
-            sum += a / 3 * d * d;
-        }
+        for (int k = 0; k < 3; ++k)
+            sum += a / 3 * values[static_cast<std::size_t>(mesh.F(f, k))];
     }
     return {area, sum};
+}
+
+/// Area of `from`, and the integral over it of the squared distance to `to`.
+std::pair<double, double> squaredDistance(const IndexedMesh& from, const IndexedMesh& to) {
+    std::vector<double> squares = pointDistances(from, to);
+    for (double& d : squares)
+        d *= d;
+    return integralOver(from, squares);
 }
 
 /// Mean over the surface, and largest, of the distance from `from`'s points to `to`.
 std::pair<double, double> surfaceDistance(const IndexedMesh& from, const IndexedMesh& to) {
     const std::vector<double> distance = pointDistances(from, to);
-    double sum = 0;
-    double area = 0;
-    for (int f = 0; f < from.faceCount(); ++f) {
-        const double a = doubleAreaVector(from, f).norm() / 2;
-        area += a;
-        for (int k = 0; k < 3; ++k)
-            sum += a / 3 * distance[static_cast<std::size_t>(from.F(f, k))];
-    }
+    const auto [area, sum] = integralOver(from, distance);
     return {sum / area, *std::max_element(distance.begin(), distance.end())};
 }
 
