@@ -951,6 +951,383 @@
         <source>Remove the pin, the region or the variant that is chosen.</source>
         <translation>Den gewählten Heftpunkt, die Region oder die Variante entfernen.</translation>
     </message>
+    <message>
+        <source>Place &amp;automatically</source>
+        <translation>&amp;Automatisch platzieren</translation>
+    </message>
+    <message>
+        <source>Give the chosen feature of the mold back to the program.</source>
+        <translation>Das gewählte Element der Form wieder dem Programm überlassen.</translation>
+    </message>
+    <message>
+        <source>Place &amp;all automatically</source>
+        <translation>A&amp;lle automatisch platzieren</translation>
+    </message>
+    <message>
+        <source>Give all features of the mold back that a hand has placed.</source>
+        <translation>Alle von Hand gesetzten Elemente der Form wieder dem Programm überlassen.</translation>
+    </message>
+</context>
+<context>
+    <name>DisplayMode</name>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Draft map</source>
+        <translation>Schrägenkarte</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Schlicht</translation>
+    </message>
+    <message>
+        <source>Undercut depth</source>
+        <translation>Tiefe der Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+</context>
+<context>
+    <name>FacePaint</name>
+    <message>
+        <source>Draft below %1</source>
+        <translation>Schräge unter %1</translation>
+    </message>
+    <message>
+        <source>Draft %1 or more</source>
+        <translation>Schräge %1 oder mehr</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Schräge</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>mm, after best fit</source>
+        <translation>mm, nach bester Einpassung</translation>
+    </message>
+    <message>
+        <source>%, both stretches together</source>
+        <translation>%, beide Dehnungen zusammen</translation>
+    </message>
+    <message>
+        <source>mm along the removal direction</source>
+        <translation>mm in Entformungsrichtung</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>Shown once the run has ended.</source>
+        <translation>Erscheint, wenn der Lauf beendet ist.</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Wird gemessen</translation>
+    </message>
+    <message>
+        <source>Needs a parting plane.</source>
+        <translation>Braucht eine Trennebene.</translation>
+    </message>
+    <message>
+        <source>Needs a cast: Run makes one.</source>
+        <translation>Braucht einen Guss: Ein Lauf erzeugt ihn.</translation>
+    </message>
+    <message>
+        <source>The file is of an older version: run again.</source>
+        <translation>Die Datei ist von einer älteren Version: neu laufen lassen.</translation>
+    </message>
+    <message>
+        <source>Shown on the cast only.</source>
+        <translation>Nur auf dem Guss zu sehen.</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>No undercut</source>
+        <translation>Kein Hinterschnitt</translation>
+    </message>
+    <message>
+        <source>mm between both casts</source>
+        <translation>mm zwischen beiden Güssen</translation>
+    </message>
+    <message>
+        <source>Needs another variant: Compare shows one.</source>
+        <translation>Braucht eine andere Variante: Vergleichen zeigt eine.</translation>
+    </message>
+    <message>
+        <source>Needs a cast in both variants.</source>
+        <translation>Braucht einen Guss in beiden Varianten.</translation>
+    </message>
+</context>
+<context>
+    <name>Guides</name>
+    <message>
+        <source>{0} could not be read.</source>
+        <translation>{0} ließ sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>{0} is not JSON: it goes wrong at byte {1}.</source>
+        <translation>{0} ist kein JSON: Beim Byte {1} stimmt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>{0} has no list &quot;{1}&quot;.</source>
+        <translation>{0} hat keine Liste „{1}“.</translation>
+    </message>
+    <message>
+        <source>{0}: the &quot;faces&quot; of region {1} have to be numbers from 0 to {2}.</source>
+        <translation>{0}: Die „faces“ der Region {1} müssen Zahlen von 0 bis {2} sein.</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} needs a &quot;centre&quot; of three numbers and a positive &quot;radius&quot;, or a list of &quot;faces&quot;.</source>
+        <translation>{0}: Region {1} braucht ein „centre“ aus drei Zahlen und einen positiven „radius“ oder eine Liste von „faces“.</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} has no face of the part in it.</source>
+        <translation>{0}: In der Region {1} liegt keine Fläche des Teils.</translation>
+    </message>
+    <message>
+        <source>{0}: the &quot;keep_within&quot; of region {1} has to be a positive number of millimetres.</source>
+        <translation>{0}: Das „keep_within“ der Region {1} muss eine positive Zahl in Millimetern sein.</translation>
+    </message>
+    <message>
+        <source>{0}: pin {1} needs a &quot;point&quot; of three numbers.</source>
+        <translation>{0}: Heftpunkt {1} braucht einen „point“ aus drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>{0}: pin {1} lies {2} mm outside the part. Pins are in the part&apos;s millimetres, after --units, --scale or --size.</source>
+        <translation>{0}: Heftpunkt {1} liegt {2} mm außerhalb des Teils. Heftpunkte sind in den Millimetern des Teils, nach --units, --scale oder --size.</translation>
+    </message>
+    <message>
+        <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536, or with &quot;faces&quot; a list of such, one for each.</source>
+        <translation>{0}: Region {1} braucht ein &quot;weight&quot; von 1 (wie der Rest) bis 65536, oder mit &quot;faces&quot; eine Liste davon, eines für jede.</translation>
+    </message>
+    <message>
+        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt or ejector), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
+        <translation>{0}: Eintrag {1} braucht ein „kind“ (spout, vent, key, slit, bolt oder ejector), eine „number“ ab 1 und „at“ mit zwei Zahlen in mm.</translation>
+    </message>
+    <message>
+        <source>{0}: entry {1} puts a feature to another place than an entry before it.</source>
+        <translation>{0}: Eintrag {1} setzt ein Element an einen anderen Ort als ein früherer Eintrag.</translation>
+    </message>
+</context>
+<context>
+    <name>ImportancePages</name>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>Pinselradius</translation>
+    </message>
+    <message>
+        <source>Measured over the surface, so the brush does not jump to a near wall.</source>
+        <translation>Über die Oberfläche gemessen, damit der Pinsel nicht auf eine nahe Wand springt.</translation>
+    </message>
+    <message>
+        <source>Stop at creases</source>
+        <translation>Halt an Kanten</translation>
+    </message>
+    <message>
+        <source>How sharp an edge must be for the face tool to end there.</source>
+        <translation>Wie scharf eine Kante sein muss, damit das Flächenwerkzeug dort endet.</translation>
+    </message>
+    <message>
+        <source>Each stroke doubles the weight of what it covers; with Ctrl it halves it.</source>
+        <translation>Jeder Strich verdoppelt das Gewicht dessen, was er bedeckt; mit Strg halbiert er es.</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>What is painted keeps its shape; the rest gives way.</source>
+        <translation>Was gemalt ist, behält seine Form; der Rest gibt nach.</translation>
+    </message>
+    <message>
+        <source>All regions</source>
+        <translation>Alle Regionen</translation>
+    </message>
+    <message>
+        <source>No region yet. A stroke makes one; F2 gives it a name.</source>
+        <translation>Noch keine Region. Ein Strich bildet eine; F2 gibt ihr einen Namen.</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regionen</translation>
+    </message>
+    <message>
+        <source>Within their limits</source>
+        <translation>In ihren Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Region</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>The heaviest of its faces. Typed, it is given to all of them; 1 is only measured.</source>
+        <translation>Das ihrer schwersten Fläche. Eingegeben gilt es für alle; mit 1 wird nur gemessen.</translation>
+    </message>
+    <message>
+        <source>Keep within ±</source>
+        <translation>Form halten auf ±</translation>
+    </message>
+    <message>
+        <source>How far its points may move against each other; 0 is no limit.</source>
+        <translation>Wie weit sich ihre Punkte gegeneinander bewegen dürfen; 0 ist keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Measured in the cast</source>
+        <translation>Am Gussteil gemessen</translation>
+    </message>
+    <message>
+        <source>Largest change</source>
+        <translation>Größte Änderung</translation>
+    </message>
+    <message>
+        <source>Of its shape, wherever it went as a whole: after its own best fit.</source>
+        <translation>Ihrer Form, wohin sie auch als Ganzes ging: nach ihrer eigenen besten Einpassung.</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>Mittlere Änderung</translation>
+    </message>
+    <message>
+        <source>Root of the mean square.</source>
+        <translation>Wurzel des mittleren Quadrats.</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>How much its surface was stretched.</source>
+        <translation>Wie stark ihre Oberfläche gedehnt wurde.</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>ImportancePaint</name>
+    <message>
+        <source>Importance</source>
+        <translation>Wichtigkeit</translation>
+    </message>
+    <message>
+        <source>Shown on the part as opened only.</source>
+        <translation>Nur am Teil, wie geöffnet, zu sehen.</translation>
+    </message>
+    <message>
+        <source>like the rest</source>
+        <translation>wie der Rest</translation>
+    </message>
+    <message>
+        <source>×32 or more</source>
+        <translation>×32 oder mehr</translation>
+    </message>
+</context>
+<context>
+    <name>Materials</name>
+    <message>
+        <source>{0}: the numbers of the material {1} cannot be right.</source>
+        <translation>{0}: Die Zahlen des Werkstoffs {1} können nicht stimmen.</translation>
+    </message>
+    <message>
+        <source>{0} is not a table of materials: {1}.</source>
+        <translation>{0} ist keine Werkstofftabelle: {1}.</translation>
+    </message>
+    <message>
+        <source>There is no material {0}. Known are: {1}.</source>
+        <translation>Den Werkstoff {0} gibt es nicht. Bekannt sind: {1}.</translation>
+    </message>
+</context>
+<context>
+    <name>Measurement</name>
+    <message>
+        <source>Draft %1</source>
+        <translation>Schräge %1</translation>
+    </message>
+    <message>
+        <source>thickness %1</source>
+        <translation>Dicke %1</translation>
+    </message>
+    <message>
+        <source>On the section</source>
+        <translation>Auf dem Schnitt</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
 </context>
 <context>
     <name>MessageDelegate</name>
@@ -1037,6 +1414,451 @@
         <source>No block of the stock is large enough: the longest has {0} mm.</source>
         <translation>Kein Block des Vorrats ist groß genug: Der längste misst {0} mm.</translation>
     </message>
+    <message>
+        <source>Ejector hole {0} cannot enter the cavity of half {1} there: a pin of {2} mm needs ground that is flat within 35°, {3} mm from the parting line.</source>
+        <translation>Auswerferloch {0} kann dort nicht in die Kavität von Hälfte {1} treten: Ein Stift von {2} mm braucht Grund, der auf 35° eben ist, {3} mm von der Trennlinie.</translation>
+    </message>
+    <message>
+        <source>Spout {0} cannot enter its cavity there: its neck of {1} mm has no room, or the ground is steeper than 70°.</source>
+        <translation>Anguss {0} kann dort nicht in seine Kavität treten: Sein Hals von {1} mm hat keinen Platz, oder der Grund ist steiler als 70°.</translation>
+    </message>
+    <message>
+        <source>Vent {0} would stand beside the {1} mm³ of air that it is to let out. Keep it over them, or have it placed automatically.</source>
+        <translation>Entlüftung {0} stünde neben den {1} mm³ Luft, die sie ablassen soll. Lassen Sie sie darüber, oder lassen Sie sie automatisch platzieren.</translation>
+    </message>
+    <message>
+        <source>Vent {0} has no way out of the cavity there: it needs room for a foot wholly inside the cast, and nothing in its way.</source>
+        <translation>Entlüftung {0} hat dort keinen Weg aus der Kavität: Sie braucht Platz für einen Fuß ganz im Abguss, und nichts darf im Weg sein.</translation>
+    </message>
+    <message>
+        <source>At x = {0} mm the spout has no room between the gates beside it. Move it away from them.</source>
+        <translation>Bei x = {0} mm hat der Anguss zwischen den Anschnitten daneben keinen Platz. Rücken Sie ihn von ihnen weg.</translation>
+    </message>
+    <message>
+        <source>At x = {0} mm a spout {1} mm wide does not meet the cavity&apos;s parting line from above, which reaches from {2} to {3} mm. Move it inwards, or make its end narrower.</source>
+        <translation>Bei x = {0} mm trifft ein {1} mm breiter Anguss die Trennlinie der Kavität nicht von oben; sie reicht von {2} bis {3} mm. Rücken Sie ihn nach innen, oder machen Sie sein Ende schmaler.</translation>
+    </message>
+    <message>
+        <source>There is no steel between {0} and {1}. Move one of them, or have it placed automatically.</source>
+        <translation>Zwischen {0} und {1} ist kein Stahl. Rücken Sie eines davon weg, oder lassen Sie es automatisch platzieren.</translation>
+    </message>
+    <message>
+        <source>No feature can stand {0} mm from the middle: blocks of this mold reach no farther than {1} mm.</source>
+        <translation>Kein Element kann {0} mm von der Mitte stehen: Blöcke dieser Form reichen höchstens {1} mm weit.</translation>
+    </message>
+</context>
+<context>
+    <name>MoldFeaturePages</name>
+    <message>
+        <source>Drag its disc in the view, or type here.</source>
+        <translation>In der Ansicht an seiner Scheibe ziehen, oder hier eintippen.</translation>
+    </message>
+    <message>
+        <source>Place in the parting plane</source>
+        <translation>Ort in der Trennebene</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Of the block, seen from half 1.</source>
+        <translation>Des Blocks, von Hälfte 1 aus gesehen.</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Along the edge</source>
+        <translation>Entlang der Kante</translation>
+    </message>
+    <message>
+        <source>From the middle of the mold.</source>
+        <translation>Von der Mitte der Form.</translation>
+    </message>
+    <message>
+        <source>From the middle of the mold; up is where it is filled.</source>
+        <translation>Von der Mitte der Form; oben wird gefüllt.</translation>
+    </message>
+    <message>
+        <source>From the middle of its cavity; up is where it is filled.</source>
+        <translation>Von der Mitte ihrer Kavität; oben wird gefüllt.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Stands</source>
+        <translation>Steht</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>Kleinster Stahl</translation>
+    </message>
+    <message>
+        <source>Between this and the nearest other feature or face of the block.</source>
+        <translation>Zwischen diesem und dem nächsten anderen Element oder der Blockfläche.</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>automatically</source>
+        <translation>automatisch</translation>
+    </message>
+</context>
+<context>
+    <name>MoldPages</name>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Steel between the cavities and each side face.</source>
+        <translation>Stahl zwischen den Kavitäten und jeder Seitenfläche.</translation>
+    </message>
+    <message>
+        <source>Over half 1</source>
+        <translation>Über Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Steel over the cavities of half 1.</source>
+        <translation>Stahl über den Kavitäten von Hälfte 1.</translation>
+    </message>
+    <message>
+        <source>Under half 2</source>
+        <translation>Unter Hälfte 2</translation>
+    </message>
+    <message>
+        <source>Steel under the cavities of half 2.</source>
+        <translation>Stahl unter den Kavitäten von Hälfte 2.</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>Kavitäten</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Cavities in a row.</source>
+        <translation>Kavitäten in einer Reihe.</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Rows of cavities.</source>
+        <translation>Reihen von Kavitäten.</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>How rows lie to each other. Packed: as close as the outlines allow.</source>
+        <translation>Wie die Reihen zueinander liegen. Dicht: so eng, wie die Umrisse erlauben.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Staggered</source>
+        <translation>Versetzt</translation>
+    </message>
+    <message>
+        <source>Packed</source>
+        <translation>Dicht</translation>
+    </message>
+    <message>
+        <source>Steel between</source>
+        <translation>Stahl dazwischen</translation>
+    </message>
+    <message>
+        <source>Between cavities, and between them and channels.</source>
+        <translation>Zwischen Kavitäten, und zwischen ihnen und Kanälen.</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Schwindung</translation>
+    </message>
+    <message>
+        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
+        <translation>Wie viel der Werkstoff schwindet, entlang aller Achsen gleich; um so viel wird die Kavität größer. Unter 0: er dehnt sich aus.</translation>
+    </message>
+    <message>
+        <source>Made larger by</source>
+        <translation>Vergrößert um</translation>
+    </message>
+    <message>
+        <source>Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which.</source>
+        <translation>Beide sind üblich; bei 5 % sind es 1,0500 und 1,0526. Der Bericht nennt, welche.</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Spout</source>
+        <translation>Anguss</translation>
+    </message>
+    <message>
+        <source>In the parting plane for a mold that stands on its edge; through half 1 for one that lies flat: that one breaks off at its neck.</source>
+        <translation>In der Trennebene für eine Form, die auf der Kante steht; durch Hälfte 1 für eine, die flach liegt: dieser bricht am Hals ab.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>In the parting plane</source>
+        <translation>In der Trennebene</translation>
+    </message>
+    <message>
+        <source>Through half 1</source>
+        <translation>Durch Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Spout&apos;s width</source>
+        <translation>Weite des Angusses</translation>
+    </message>
+    <message>
+        <source>In the parting plane; of one through half 1, above its neck.</source>
+        <translation>In der Trennebene; bei einem durch Hälfte 1 über dem Hals.</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Hals</translation>
+    </message>
+    <message>
+        <source>Where a spout through half 1 breaks off.</source>
+        <translation>Wo ein Anguss durch Hälfte 1 abbricht.</translation>
+    </message>
+    <message>
+        <source>Vents</source>
+        <translation>Entlüftungen</translation>
+    </message>
+    <message>
+        <source>Where air would stay while the mold is filled.</source>
+        <translation>Wo beim Füllen Luft bliebe.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Cast hollow</source>
+        <translation>Hohl gießen</translation>
+    </message>
+    <message>
+        <source>The wall that stays when the rest is poured out again; 0: solid.</source>
+        <translation>Die Wand, die bleibt, wenn der Rest wieder ausgegossen wird; 0: voll.</translation>
+    </message>
+    <message>
+        <source>Closing and opening</source>
+        <translation>Schließen und Öffnen</translation>
+    </message>
+    <message>
+        <source>Registration keys</source>
+        <translation>Zentrierzapfen</translation>
+    </message>
+    <message>
+        <source>On half 2, in sockets of half 1; one is larger, so that the halves fit one way only.</source>
+        <translation>Auf Hälfte 2, in Taschen von Hälfte 1; einer ist größer, damit die Hälften nur auf eine Weise passen.</translation>
+    </message>
+    <message>
+        <source>Their clearance</source>
+        <translation>Ihr Spiel</translation>
+    </message>
+    <message>
+        <source>On all sides and in depth.</source>
+        <translation>Auf allen Seiten und in der Tiefe.</translation>
+    </message>
+    <message>
+        <source>Wedge slits</source>
+        <translation>Keilschlitze</translation>
+    </message>
+    <message>
+        <source>Notches at the edge of the plane, to pry the halves apart.</source>
+        <translation>Kerben am Rand der Ebene, um die Hälften auseinanderzuhebeln.</translation>
+    </message>
+    <message>
+        <source>Bolt holes</source>
+        <translation>Schraubenlöcher</translation>
+    </message>
+    <message>
+        <source>Straight through both halves.</source>
+        <translation>Gerade durch beide Hälften.</translation>
+    </message>
+    <message>
+        <source>Ejector holes</source>
+        <translation>Auswerferlöcher</translation>
+    </message>
+    <message>
+        <source>For each cavity.</source>
+        <translation>Für jede Kavität.</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>bewiesen</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Two halves around the cast.</source>
+        <translation>Zwei Hälften um den Guss.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Half 1, mm</source>
+        <translation>Hälfte 1, mm</translation>
+    </message>
+    <message>
+        <source>Half 2, mm</source>
+        <translation>Hälfte 2, mm</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Air that stays</source>
+        <translation>Luft, die bleibt</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>Beide Hälften</translation>
+    </message>
+    <message>
+        <source>Clamp force</source>
+        <translation>Schließkraft</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>Kleinster Stahl</translation>
+    </message>
+    <message>
+        <source>Comes off</source>
+        <translation>Lässt sich abziehen</translation>
+    </message>
+</context>
+<context>
+    <name>MoldPlacing</name>
+    <message>
+        <source>the block&apos;s face</source>
+        <translation>Blockfläche</translation>
+    </message>
+    <message>
+        <source>cavity %1</source>
+        <translation>Kavität %1</translation>
+    </message>
+    <message>
+        <source>a runner</source>
+        <translation>Verteilerkanal</translation>
+    </message>
+    <message>
+        <source>a gate</source>
+        <translation>Anschnitt</translation>
+    </message>
+    <message>
+        <source>spout %1</source>
+        <translation>Anguss %1</translation>
+    </message>
+    <message>
+        <source>vent %1</source>
+        <translation>Entlüftung %1</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>Zapfen %1</translation>
+    </message>
+    <message>
+        <source>wedge slit %1</source>
+        <translation>Keilschlitz %1</translation>
+    </message>
+    <message>
+        <source>bolt hole %1</source>
+        <translation>Schraubenloch %1</translation>
+    </message>
+    <message>
+        <source>ejector hole %1</source>
+        <translation>Auswerferloch %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Place %1 automatically</source>
+        <translation>%1 automatisch platzieren</translation>
+    </message>
+    <message>
+        <source>Place all automatically</source>
+        <translation>Alle automatisch platzieren</translation>
+    </message>
+    <message>
+        <source>Spout %1</source>
+        <translation>Anguss %1</translation>
+    </message>
+    <message>
+        <source>Vent %1</source>
+        <translation>Entlüftung %1</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>Zapfen %1</translation>
+    </message>
+    <message>
+        <source>Wedge slit %1</source>
+        <translation>Keilschlitz %1</translation>
+    </message>
+    <message>
+        <source>Bolt hole %1</source>
+        <translation>Schraubenloch %1</translation>
+    </message>
+    <message>
+        <source>Ejector hole %1</source>
+        <translation>Auswerferloch %1</translation>
+    </message>
+    <message>
+        <source>No steel to %1, %2 mm asked for</source>
+        <translation>Kein Stahl bis %1, %2 mm verlangt</translation>
+    </message>
+    <message>
+        <source>%1 mm of steel to %2, %3 asked for</source>
+        <translation>%1 mm Stahl bis %2, %3 verlangt</translation>
+    </message>
+    <message>
+        <source>%1 mm of steel to %2</source>
+        <translation>%1 mm Stahl bis %2</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>
@@ -1066,6 +1888,89 @@
     <message>
         <source>Pictures cannot be drawn on this machine: OpenGL {0}.</source>
         <translation>Auf diesem Rechner lassen sich keine Bilder zeichnen: OpenGL {0}.</translation>
+    </message>
+</context>
+<context>
+    <name>PinPages</name>
+    <message>
+        <source>Pin %1</source>
+        <translation>Heftpunkt %1</translation>
+    </message>
+    <message>
+        <source>Suggested</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Ends of limbs, where limbs meet, and points along the body.</source>
+        <translation>Enden von Gliedern, wo Glieder sich treffen, und Punkte längs des Körpers.</translation>
+    </message>
+    <message>
+        <source>Shown at most</source>
+        <translation>Höchstens gezeigt</translation>
+    </message>
+    <message>
+        <source>The best ones at this plane; those taken are no longer shown.</source>
+        <translation>Die besten bei dieser Ebene; angenommene werden nicht mehr gezeigt.</translation>
+    </message>
+    <message>
+        <source>Ends of limbs</source>
+        <translation>Enden von Gliedern</translation>
+    </message>
+    <message>
+        <source>Click a faint ring in the view to take it.</source>
+        <translation>Ein Klick auf einen blassen Ring im Bild nimmt ihn an.</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Heftpunkte</translation>
+    </message>
+    <message>
+        <source>Hold points of the part on the parting plane.</source>
+        <translation>Halten Punkte des Teils auf der Trennebene.</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>Von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>No pins yet. Where limbs curl, pins at their ends unroll them.</source>
+        <translation>Noch keine Heftpunkte. Wo Glieder sich krümmen, rollen Heftpunkte an ihren Enden sie auf.</translation>
+    </message>
+    <message>
+        <source>Farthest from the plane</source>
+        <translation>Am weitesten von der Ebene</translation>
+    </message>
+    <message>
+        <source>All pins</source>
+        <translation>Alle Heftpunkte</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Suggested pins</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Place in the part</source>
+        <translation>Stelle im Teil</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>To the plane</source>
+        <translation>Zur Ebene</translation>
+    </message>
+    <message>
+        <source>How far a run has to draw it, along the plane&apos;s normal.</source>
+        <translation>Wie weit ein Lauf ihn ziehen muss, längs der Normalen der Ebene.</translation>
+    </message>
+    <message>
+        <source>%1 to the plane</source>
+        <translation>%1 zur Ebene</translation>
     </message>
 </context>
 <context>
@@ -1797,6 +2702,192 @@
     </message>
 </context>
 <context>
+    <name>UndercutPages</name>
+    <message>
+        <source>Undercut %1</source>
+        <translation>Hinterschnitt %1</translation>
+    </message>
+    <message>
+        <source>fill, %1</source>
+        <translation>füllen, %1</translation>
+    </message>
+    <message>
+        <source>bend, %1</source>
+        <translation>biegen, %1</translation>
+    </message>
+    <message>
+        <source>Undercuts</source>
+        <translation>Hinterschnitte</translation>
+    </message>
+    <message>
+        <source>What a half cannot leave at this plane, region by region.</source>
+        <translation>Woraus sich an dieser Ebene keine Hälfte löst, Stelle für Stelle.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Not to be bent</source>
+        <translation>Nicht zu biegen</translation>
+    </message>
+    <message>
+        <source>Regions that no bending frees.</source>
+        <translation>Stellen, die kein Biegen befreit.</translation>
+    </message>
+    <message>
+        <source>To fill all</source>
+        <translation>Alle zu füllen</translation>
+    </message>
+    <message>
+        <source>No bending frees it: have it filled, or move the plane.</source>
+        <translation>Kein Biegen befreit ihn: füllen lassen oder die Ebene verschieben.</translation>
+    </message>
+    <message>
+        <source>Bending frees it. Filled, what lies about it stays as it is.</source>
+        <translation>Biegen befreit ihn. Gefüllt bleibt, was um ihn liegt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Filling it joins pieces of the part that are apart.</source>
+        <translation>Füllen verbindet Stücke des Teils, die getrennt sind.</translation>
+    </message>
+    <message>
+        <source>What becomes of it</source>
+        <translation>Was daraus wird</translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation>Behandlung</translation>
+    </message>
+    <message>
+        <source>By the rule: as the page of Deform says for all.</source>
+        <translation>Nach der Regel: wie es die Seite Verformen für alle sagt.</translation>
+    </message>
+    <message>
+        <source>By the rule</source>
+        <translation>Nach der Regel</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>X, Y, Z, mm</source>
+        <translation>X, Y, Z, mm</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>To fill</source>
+        <translation>Zu füllen</translation>
+    </message>
+    <message>
+        <source>What filling it takes, over the part&apos;s volume.</source>
+        <translation>Was das Füllen braucht, bezogen auf das Volumen des Teils.</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+</context>
+<context>
+    <name>VariantPages</name>
+    <message>
+        <source>not run</source>
+        <translation>nicht gerechnet</translation>
+    </message>
+    <message>
+        <source>not castable</source>
+        <translation>nicht gießbar</translation>
+    </message>
+    <message>
+        <source>Castable</source>
+        <translation>Gießbar</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>Kleinste Schräge</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Farthest, mm</source>
+        <translation>Größte Abw., mm</translation>
+    </message>
+    <message>
+        <source>RMS, mm</source>
+        <translation>RMS, mm</translation>
+    </message>
+    <message>
+        <source>Filled, cm³</source>
+        <translation>Gefüllt, cm³</translation>
+    </message>
+    <message>
+        <source>Block, mm</source>
+        <translation>Block, mm</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eine</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Varianten</translation>
+    </message>
+    <message>
+        <source>Several designs of this part in one project.</source>
+        <translation>Mehrere Entwürfe dieses Teils in einem Projekt.</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Distances are to the part, after the best rigid fit; the bold one is the current one, which all other pages show.</source>
+        <translation>Abstände sind die zum Teil, nach bester starrer Lage; die fette Variante ist die aktuelle, die alle anderen Seiten zeigen.</translation>
+    </message>
+    <message>
+        <source>One design so far. Duplicate it to try another plane, other pins or weights, and to compare both.</source>
+        <translation>Bisher ein Entwurf. Duplizieren Sie ihn, um eine andere Ebene, andere Heftpunkte oder Gewichte zu versuchen und beide zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>aktuell, %1</translation>
+    </message>
+</context>
+<context>
     <name>design</name>
     <message>
         <source>Move the plane by {0} mm towards side {1}: nothing is in the way there.</source>
@@ -2189,13 +3280,6 @@
     </message>
 </context>
 <context>
-    <name>pins</name>
-    <message>
-        <source>The search for pins was cancelled.</source>
-        <translation>Die Suche nach Stiften wurde abgebrochen.</translation>
-    </message>
-</context>
-<context>
     <name>moldwright::Banner</name>
     <message>
         <source>Close this message</source>
@@ -2218,6 +3302,28 @@
     <message>
         <source>Close %1</source>
         <translation>%1 schließen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::FigureTable</name>
+    <message>
+        <source>%1, the current one</source>
+        <translation>%1, die aktuelle</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::FrameSlider</name>
+    <message>
+        <source>Frames of the run</source>
+        <translation>Bilder des Laufs</translation>
+    </message>
+    <message>
+        <source>Goes back through the run; &quot;Go on from here&quot; begins another run from the frame in view.</source>
+        <translation>Geht durch den Lauf zurück; „Von hier weiter“ beginnt beim gezeigten Bild einen neuen Lauf.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -2320,6 +3426,41 @@
     <message>
         <source>Keys and mouse</source>
         <translation>Tasten und Maus</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::KeyTable</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>Type other keys</source>
+        <translation>Andere Tasten drücken</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1 belongs to %2. Give that command other keys first.</source>
+        <translation>%1 gehört zu %2. Geben Sie zuerst jenem Befehl andere Tasten.</translation>
     </message>
 </context>
 <context>
@@ -2704,6 +3845,10 @@
         <source>&lt;b&gt;Return&lt;/b&gt; makes the chosen variant the current one, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates it, &lt;b&gt;F2&lt;/b&gt; renames it, &lt;b&gt;Del&lt;/b&gt; removes it. %1</source>
         <translation>&lt;b&gt;Eingabe&lt;/b&gt; macht die gewählte Variante zur aktuellen, &lt;b&gt;Strg+D&lt;/b&gt; dupliziert sie, &lt;b&gt;F2&lt;/b&gt; benennt sie um, &lt;b&gt;Entf&lt;/b&gt; entfernt sie. %1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Drag&lt;/b&gt; a disc to place a feature of the mold, with &lt;b&gt;Shift&lt;/b&gt; without steps. %1</source>
+        <translation>Eine Scheibe &lt;b&gt;ziehen&lt;/b&gt;, um ein Element der Form zu setzen, mit &lt;b&gt;Umschalt&lt;/b&gt; ohne Schritte. %1</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -2721,6 +3866,65 @@
     <message>
         <source>View of the part</source>
         <translation>Ansicht des Teils</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Find a preference or a key</source>
+        <translation>Eine Einstellung oder Taste finden</translation>
+    </message>
+    <message>
+        <source>No preference has these words.</source>
+        <translation>Keine Einstellung hat diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Appearance and mouse</source>
+        <translation>Aussehen und Maus</translation>
+    </message>
+    <message>
+        <source>Like the desktop</source>
+        <translation>Wie der Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Mouse navigation</source>
+        <translation>Navigation mit der Maus</translation>
+    </message>
+    <message>
+        <source>New parts begin with</source>
+        <translation>Neue Teile beginnen mit</translation>
+    </message>
+    <message>
+        <source>Draft required</source>
+        <translation>Verlangte Schräge</translation>
+    </message>
+    <message>
+        <source>Tilt limit</source>
+        <translation>Größte Neigung</translation>
+    </message>
+    <message>
+        <source>Wall of the mold</source>
+        <translation>Wand der Form</translation>
     </message>
 </context>
 <context>
@@ -2772,6 +3976,45 @@
     </message>
 </context>
 <context>
+    <name>moldwright::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>At the parting plane</source>
+        <translation>An der Trennebene</translation>
+    </message>
+    <message>
+        <source>Across X</source>
+        <translation>Quer zu X</translation>
+    </message>
+    <message>
+        <source>Across Y</source>
+        <translation>Quer zu Y</translation>
+    </message>
+    <message>
+        <source>Across Z</source>
+        <translation>Quer zu Z</translation>
+    </message>
+    <message>
+        <source>Which way the section lies</source>
+        <translation>Wie der Schnitt liegt</translation>
+    </message>
+    <message>
+        <source>How far along the section lies</source>
+        <translation>Wo der Schnitt liegt</translation>
+    </message>
+    <message>
+        <source>Keep the other side</source>
+        <translation>Die andere Seite behalten</translation>
+    </message>
+    <message>
+        <source>Close the section</source>
+        <translation>Schnitt schließen</translation>
+    </message>
+</context>
+<context>
     <name>moldwright::StartPage</name>
     <message>
         <source>Start</source>
@@ -2803,6 +4046,33 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Tour</name>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 <context>
@@ -2865,6 +4135,57 @@
     <message>
         <source>Mold opened</source>
         <translation>Form geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::ViewPane</name>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Free view</source>
+        <translation>Freie Ansicht</translation>
+    </message>
+    <message>
+        <source>What this view shows</source>
+        <translation>Was diese Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Newest shape</source>
+        <translation>Neueste Form</translation>
+    </message>
+    <message>
+        <source>Part as opened</source>
+        <translation>Teil wie geöffnet</translation>
+    </message>
+    <message>
+        <source>What the faces of this view show</source>
+        <translation>Was die Flächen dieser Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Compared variant</source>
+        <translation>Verglichene Variante</translation>
     </message>
 </context>
 <context>
@@ -3278,1113 +4599,10 @@
     </message>
 </context>
 <context>
-    <name>moldwright::ViewPane</name>
+    <name>pins</name>
     <message>
-        <source>Front</source>
-        <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Hinten</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
-        <source>Free view</source>
-        <translation>Freie Ansicht</translation>
-    </message>
-    <message>
-        <source>What this view shows</source>
-        <translation>Was diese Ansicht zeigt</translation>
-    </message>
-    <message>
-        <source>Newest shape</source>
-        <translation>Neueste Form</translation>
-    </message>
-    <message>
-        <source>Part as opened</source>
-        <translation>Teil wie geöffnet</translation>
-    </message>
-    <message>
-        <source>What the faces of this view show</source>
-        <translation>Was die Flächen dieser Ansicht zeigen</translation>
-    </message>
-    <message>
-        <source>Compared variant</source>
-        <translation>Verglichene Variante</translation>
-    </message>
-</context>
-<context>
-    <name>DisplayMode</name>
-    <message>
-        <source>Undercuts</source>
-        <translation>Hinterschnitte</translation>
-    </message>
-    <message>
-        <source>Draft map</source>
-        <translation>Schrägenkarte</translation>
-    </message>
-    <message>
-        <source>Plain</source>
-        <translation>Schlicht</translation>
-    </message>
-    <message>
-        <source>Undercut depth</source>
-        <translation>Tiefe der Hinterschnitte</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Abweichung</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>Dehnung</translation>
-    </message>
-    <message>
-        <source>Importance</source>
-        <translation>Wichtigkeit</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Unterschied</translation>
-    </message>
-</context>
-<context>
-    <name>FacePaint</name>
-    <message>
-        <source>Draft below %1</source>
-        <translation>Schräge unter %1</translation>
-    </message>
-    <message>
-        <source>Draft %1 or more</source>
-        <translation>Schräge %1 oder mehr</translation>
-    </message>
-    <message>
-        <source>Undercuts</source>
-        <translation>Hinterschnitte</translation>
-    </message>
-    <message>
-        <source>Draft</source>
-        <translation>Schräge</translation>
-    </message>
-    <message>
-        <source>below %1</source>
-        <translation>unter %1</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>über %1</translation>
-    </message>
-    <message>
-        <source>mm, after best fit</source>
-        <translation>mm, nach bester Einpassung</translation>
-    </message>
-    <message>
-        <source>%, both stretches together</source>
-        <translation>%, beide Dehnungen zusammen</translation>
-    </message>
-    <message>
-        <source>mm along the removal direction</source>
-        <translation>mm in Entformungsrichtung</translation>
-    </message>
-    <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>Shown once the run has ended.</source>
-        <translation>Erscheint, wenn der Lauf beendet ist.</translation>
-    </message>
-    <message>
-        <source>Measuring</source>
-        <translation>Wird gemessen</translation>
-    </message>
-    <message>
-        <source>Needs a parting plane.</source>
-        <translation>Braucht eine Trennebene.</translation>
-    </message>
-    <message>
-        <source>Needs a cast: Run makes one.</source>
-        <translation>Braucht einen Guss: Ein Lauf erzeugt ihn.</translation>
-    </message>
-    <message>
-        <source>The file is of an older version: run again.</source>
-        <translation>Die Datei ist von einer älteren Version: neu laufen lassen.</translation>
-    </message>
-    <message>
-        <source>Shown on the cast only.</source>
-        <translation>Nur auf dem Guss zu sehen.</translation>
-    </message>
-    <message>
-        <source>Largest</source>
-        <translation>Größter Wert</translation>
-    </message>
-    <message>
-        <source>No undercut</source>
-        <translation>Kein Hinterschnitt</translation>
-    </message>
-    <message>
-        <source>mm between both casts</source>
-        <translation>mm zwischen beiden Güssen</translation>
-    </message>
-    <message>
-        <source>Needs another variant: Compare shows one.</source>
-        <translation>Braucht eine andere Variante: Vergleichen zeigt eine.</translation>
-    </message>
-    <message>
-        <source>Needs a cast in both variants.</source>
-        <translation>Braucht einen Guss in beiden Varianten.</translation>
-    </message>
-</context>
-<context>
-    <name>moldwright::SectionBar</name>
-    <message>
-        <source>Section</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>At the parting plane</source>
-        <translation>An der Trennebene</translation>
-    </message>
-    <message>
-        <source>Across X</source>
-        <translation>Quer zu X</translation>
-    </message>
-    <message>
-        <source>Across Y</source>
-        <translation>Quer zu Y</translation>
-    </message>
-    <message>
-        <source>Across Z</source>
-        <translation>Quer zu Z</translation>
-    </message>
-    <message>
-        <source>Which way the section lies</source>
-        <translation>Wie der Schnitt liegt</translation>
-    </message>
-    <message>
-        <source>How far along the section lies</source>
-        <translation>Wo der Schnitt liegt</translation>
-    </message>
-    <message>
-        <source>Keep the other side</source>
-        <translation>Die andere Seite behalten</translation>
-    </message>
-    <message>
-        <source>Close the section</source>
-        <translation>Schnitt schließen</translation>
-    </message>
-</context>
-<context>
-    <name>Measurement</name>
-    <message>
-        <source>Draft %1</source>
-        <translation>Schräge %1</translation>
-    </message>
-    <message>
-        <source>thickness %1</source>
-        <translation>Dicke %1</translation>
-    </message>
-    <message>
-        <source>On the section</source>
-        <translation>Auf dem Schnitt</translation>
-    </message>
-    <message>
-        <source>Point %1</source>
-        <translation>Punkt %1</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
-    </message>
-</context>
-<context>
-    <name>UndercutPages</name>
-    <message>
-        <source>Undercut %1</source>
-        <translation>Hinterschnitt %1</translation>
-    </message>
-    <message>
-        <source>fill, %1</source>
-        <translation>füllen, %1</translation>
-    </message>
-    <message>
-        <source>bend, %1</source>
-        <translation>biegen, %1</translation>
-    </message>
-    <message>
-        <source>Undercuts</source>
-        <translation>Hinterschnitte</translation>
-    </message>
-    <message>
-        <source>What a half cannot leave at this plane, region by region.</source>
-        <translation>Woraus sich an dieser Ebene keine Hälfte löst, Stelle für Stelle.</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
-    </message>
-    <message>
-        <source>Regions</source>
-        <translation>Stellen</translation>
-    </message>
-    <message>
-        <source>Not to be bent</source>
-        <translation>Nicht zu biegen</translation>
-    </message>
-    <message>
-        <source>Regions that no bending frees.</source>
-        <translation>Stellen, die kein Biegen befreit.</translation>
-    </message>
-    <message>
-        <source>To fill all</source>
-        <translation>Alle zu füllen</translation>
-    </message>
-    <message>
-        <source>No bending frees it: have it filled, or move the plane.</source>
-        <translation>Kein Biegen befreit ihn: füllen lassen oder die Ebene verschieben.</translation>
-    </message>
-    <message>
-        <source>Bending frees it. Filled, what lies about it stays as it is.</source>
-        <translation>Biegen befreit ihn. Gefüllt bleibt, was um ihn liegt, wie es ist.</translation>
-    </message>
-    <message>
-        <source>Filling it joins pieces of the part that are apart.</source>
-        <translation>Füllen verbindet Stücke des Teils, die getrennt sind.</translation>
-    </message>
-    <message>
-        <source>What becomes of it</source>
-        <translation>Was daraus wird</translation>
-    </message>
-    <message>
-        <source>Treatment</source>
-        <translation>Behandlung</translation>
-    </message>
-    <message>
-        <source>By the rule: as the page of Deform says for all.</source>
-        <translation>Nach der Regel: wie es die Seite Verformen für alle sagt.</translation>
-    </message>
-    <message>
-        <source>By the rule</source>
-        <translation>Nach der Regel</translation>
-    </message>
-    <message>
-        <source>Bend</source>
-        <translation>Biegen</translation>
-    </message>
-    <message>
-        <source>Fill</source>
-        <translation>Füllen</translation>
-    </message>
-    <message>
-        <source>Where</source>
-        <translation>Wo</translation>
-    </message>
-    <message>
-        <source>X, Y, Z, mm</source>
-        <translation>X, Y, Z, mm</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>Seite</translation>
-    </message>
-    <message>
-        <source>To fill</source>
-        <translation>Zu füllen</translation>
-    </message>
-    <message>
-        <source>What filling it takes, over the part&apos;s volume.</source>
-        <translation>Was das Füllen braucht, bezogen auf das Volumen des Teils.</translation>
-    </message>
-    <message>
-        <source>both</source>
-        <translation>beide</translation>
-    </message>
-</context>
-<context>
-    <name>Guides</name>
-    <message>
-        <source>{0} could not be read.</source>
-        <translation>{0} ließ sich nicht lesen.</translation>
-    </message>
-    <message>
-        <source>{0} is not JSON: it goes wrong at byte {1}.</source>
-        <translation>{0} ist kein JSON: Beim Byte {1} stimmt es nicht mehr.</translation>
-    </message>
-    <message>
-        <source>{0} has no list &quot;{1}&quot;.</source>
-        <translation>{0} hat keine Liste „{1}“.</translation>
-    </message>
-    <message>
-        <source>{0}: the &quot;faces&quot; of region {1} have to be numbers from 0 to {2}.</source>
-        <translation>{0}: Die „faces“ der Region {1} müssen Zahlen von 0 bis {2} sein.</translation>
-    </message>
-    <message>
-        <source>{0}: region {1} needs a &quot;centre&quot; of three numbers and a positive &quot;radius&quot;, or a list of &quot;faces&quot;.</source>
-        <translation>{0}: Region {1} braucht ein „centre“ aus drei Zahlen und einen positiven „radius“ oder eine Liste von „faces“.</translation>
-    </message>
-    <message>
-        <source>{0}: region {1} has no face of the part in it.</source>
-        <translation>{0}: In der Region {1} liegt keine Fläche des Teils.</translation>
-    </message>
-    <message>
-        <source>{0}: the &quot;keep_within&quot; of region {1} has to be a positive number of millimetres.</source>
-        <translation>{0}: Das „keep_within“ der Region {1} muss eine positive Zahl in Millimetern sein.</translation>
-    </message>
-    <message>
-        <source>{0}: pin {1} needs a &quot;point&quot; of three numbers.</source>
-        <translation>{0}: Heftpunkt {1} braucht einen „point“ aus drei Zahlen.</translation>
-    </message>
-    <message>
-        <source>{0}: pin {1} lies {2} mm outside the part. Pins are in the part&apos;s millimetres, after --units, --scale or --size.</source>
-        <translation>{0}: Heftpunkt {1} liegt {2} mm außerhalb des Teils. Heftpunkte sind in den Millimetern des Teils, nach --units, --scale oder --size.</translation>
-    </message>
-    <message>
-        <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536, or with &quot;faces&quot; a list of such, one for each.</source>
-        <translation>{0}: Region {1} braucht ein &quot;weight&quot; von 1 (wie der Rest) bis 65536, oder mit &quot;faces&quot; eine Liste davon, eines für jede.</translation>
-    </message>
-</context>
-<context>
-    <name>PinPages</name>
-    <message>
-        <source>Pin %1</source>
-        <translation>Heftpunkt %1</translation>
-    </message>
-    <message>
-        <source>Suggested</source>
-        <translation>Vorgeschlagen</translation>
-    </message>
-    <message>
-        <source>Ends of limbs, where limbs meet, and points along the body.</source>
-        <translation>Enden von Gliedern, wo Glieder sich treffen, und Punkte längs des Körpers.</translation>
-    </message>
-    <message>
-        <source>Shown at most</source>
-        <translation>Höchstens gezeigt</translation>
-    </message>
-    <message>
-        <source>The best ones at this plane; those taken are no longer shown.</source>
-        <translation>Die besten bei dieser Ebene; angenommene werden nicht mehr gezeigt.</translation>
-    </message>
-    <message>
-        <source>Ends of limbs</source>
-        <translation>Enden von Gliedern</translation>
-    </message>
-    <message>
-        <source>Click a faint ring in the view to take it.</source>
-        <translation>Ein Klick auf einen blassen Ring im Bild nimmt ihn an.</translation>
-    </message>
-    <message>
-        <source>Pins</source>
-        <translation>Heftpunkte</translation>
-    </message>
-    <message>
-        <source>Hold points of the part on the parting plane.</source>
-        <translation>Halten Punkte des Teils auf der Trennebene.</translation>
-    </message>
-    <message>
-        <source>Set by hand</source>
-        <translation>Von Hand gesetzt</translation>
-    </message>
-    <message>
-        <source>No pins yet. Where limbs curl, pins at their ends unroll them.</source>
-        <translation>Noch keine Heftpunkte. Wo Glieder sich krümmen, rollen Heftpunkte an ihren Enden sie auf.</translation>
-    </message>
-    <message>
-        <source>Farthest from the plane</source>
-        <translation>Am weitesten von der Ebene</translation>
-    </message>
-    <message>
-        <source>All pins</source>
-        <translation>Alle Heftpunkte</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Suggested pins</source>
-        <translation>Vorgeschlagen</translation>
-    </message>
-    <message>
-        <source>Place in the part</source>
-        <translation>Stelle im Teil</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
-    </message>
-    <message>
-        <source>To the plane</source>
-        <translation>Zur Ebene</translation>
-    </message>
-    <message>
-        <source>How far a run has to draw it, along the plane&apos;s normal.</source>
-        <translation>Wie weit ein Lauf ihn ziehen muss, längs der Normalen der Ebene.</translation>
-    </message>
-    <message>
-        <source>%1 to the plane</source>
-        <translation>%1 zur Ebene</translation>
-    </message>
-</context>
-<context>
-    <name>moldwright::KeyTable</name>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>Commands and their keys</source>
-        <translation>Befehle und ihre Tasten</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Befehl</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>Menü</translation>
-    </message>
-    <message>
-        <source>Type other keys</source>
-        <translation>Andere Tasten drücken</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Reset all keys</source>
-        <translation>Alle zurücksetzen</translation>
-    </message>
-    <message>
-        <source>%1 belongs to %2. Give that command other keys first.</source>
-        <translation>%1 gehört zu %2. Geben Sie zuerst jenem Befehl andere Tasten.</translation>
-    </message>
-</context>
-<context>
-    <name>moldwright::PreferencesDialog</name>
-    <message>
-        <source>Preferences</source>
-        <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>Find a preference or a key</source>
-        <translation>Eine Einstellung oder Taste finden</translation>
-    </message>
-    <message>
-        <source>No preference has these words.</source>
-        <translation>Keine Einstellung hat diese Wörter.</translation>
-    </message>
-    <message>
-        <source>Appearance and mouse</source>
-        <translation>Aussehen und Maus</translation>
-    </message>
-    <message>
-        <source>Like the desktop</source>
-        <translation>Wie der Schreibtisch</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Mouse navigation</source>
-        <translation>Navigation mit der Maus</translation>
-    </message>
-    <message>
-        <source>New parts begin with</source>
-        <translation>Neue Teile beginnen mit</translation>
-    </message>
-    <message>
-        <source>Draft required</source>
-        <translation>Verlangte Schräge</translation>
-    </message>
-    <message>
-        <source>Tilt limit</source>
-        <translation>Größte Neigung</translation>
-    </message>
-    <message>
-        <source>Wall of the mold</source>
-        <translation>Wand der Form</translation>
-    </message>
-</context>
-<context>
-    <name>moldwright::Tour</name>
-    <message>
-        <source>Tour</source>
-        <translation>Rundgang</translation>
-    </message>
-    <message>
-        <source>End the tour</source>
-        <translation>Rundgang beenden</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Step %1 of %2</source>
-        <translation>Schritt %1 von %2</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Fertig</translation>
-    </message>
-</context>
-<context>
-    <name>Materials</name>
-    <message>
-        <source>{0}: the numbers of the material {1} cannot be right.</source>
-        <translation>{0}: Die Zahlen des Werkstoffs {1} können nicht stimmen.</translation>
-    </message>
-    <message>
-        <source>{0} is not a table of materials: {1}.</source>
-        <translation>{0} ist keine Werkstofftabelle: {1}.</translation>
-    </message>
-    <message>
-        <source>There is no material {0}. Known are: {1}.</source>
-        <translation>Den Werkstoff {0} gibt es nicht. Bekannt sind: {1}.</translation>
-    </message>
-</context>
-<context>
-    <name>ImportancePages</name>
-    <message>
-        <source>empty</source>
-        <translation>leer</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>Malen</translation>
-    </message>
-    <message>
-        <source>Brush radius</source>
-        <translation>Pinselradius</translation>
-    </message>
-    <message>
-        <source>Measured over the surface, so the brush does not jump to a near wall.</source>
-        <translation>Über die Oberfläche gemessen, damit der Pinsel nicht auf eine nahe Wand springt.</translation>
-    </message>
-    <message>
-        <source>Stop at creases</source>
-        <translation>Halt an Kanten</translation>
-    </message>
-    <message>
-        <source>How sharp an edge must be for the face tool to end there.</source>
-        <translation>Wie scharf eine Kante sein muss, damit das Flächenwerkzeug dort endet.</translation>
-    </message>
-    <message>
-        <source>Each stroke doubles the weight of what it covers; with Ctrl it halves it.</source>
-        <translation>Jeder Strich verdoppelt das Gewicht dessen, was er bedeckt; mit Strg halbiert er es.</translation>
-    </message>
-    <message>
-        <source>Importance</source>
-        <translation>Wichtigkeit</translation>
-    </message>
-    <message>
-        <source>What is painted keeps its shape; the rest gives way.</source>
-        <translation>Was gemalt ist, behält seine Form; der Rest gibt nach.</translation>
-    </message>
-    <message>
-        <source>All regions</source>
-        <translation>Alle Regionen</translation>
-    </message>
-    <message>
-        <source>No region yet. A stroke makes one; F2 gives it a name.</source>
-        <translation>Noch keine Region. Ein Strich bildet eine; F2 gibt ihr einen Namen.</translation>
-    </message>
-    <message>
-        <source>Regions</source>
-        <translation>Regionen</translation>
-    </message>
-    <message>
-        <source>Within their limits</source>
-        <translation>In ihren Grenzen</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>Region</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>The heaviest of its faces. Typed, it is given to all of them; 1 is only measured.</source>
-        <translation>Das ihrer schwersten Fläche. Eingegeben gilt es für alle; mit 1 wird nur gemessen.</translation>
-    </message>
-    <message>
-        <source>Keep within ±</source>
-        <translation>Form halten auf ±</translation>
-    </message>
-    <message>
-        <source>How far its points may move against each other; 0 is no limit.</source>
-        <translation>Wie weit sich ihre Punkte gegeneinander bewegen dürfen; 0 ist keine Grenze.</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Flächen</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Fläche</translation>
-    </message>
-    <message>
-        <source>Measured in the cast</source>
-        <translation>Am Gussteil gemessen</translation>
-    </message>
-    <message>
-        <source>Largest change</source>
-        <translation>Größte Änderung</translation>
-    </message>
-    <message>
-        <source>Of its shape, wherever it went as a whole: after its own best fit.</source>
-        <translation>Ihrer Form, wohin sie auch als Ganzes ging: nach ihrer eigenen besten Einpassung.</translation>
-    </message>
-    <message>
-        <source>Mean change</source>
-        <translation>Mittlere Änderung</translation>
-    </message>
-    <message>
-        <source>Root of the mean square.</source>
-        <translation>Wurzel des mittleren Quadrats.</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>Dehnung</translation>
-    </message>
-    <message>
-        <source>How much its surface was stretched.</source>
-        <translation>Wie stark ihre Oberfläche gedehnt wurde.</translation>
-    </message>
-    <message>
-        <source>no limit</source>
-        <translation>keine Grenze</translation>
-    </message>
-</context>
-<context>
-    <name>ImportancePaint</name>
-    <message>
-        <source>Importance</source>
-        <translation>Wichtigkeit</translation>
-    </message>
-    <message>
-        <source>Shown on the part as opened only.</source>
-        <translation>Nur am Teil, wie geöffnet, zu sehen.</translation>
-    </message>
-    <message>
-        <source>like the rest</source>
-        <translation>wie der Rest</translation>
-    </message>
-    <message>
-        <source>×32 or more</source>
-        <translation>×32 oder mehr</translation>
-    </message>
-</context>
-<context>
-    <name>moldwright::FrameSlider</name>
-    <message>
-        <source>Frames of the run</source>
-        <translation>Bilder des Laufs</translation>
-    </message>
-    <message>
-        <source>Goes back through the run; &quot;Go on from here&quot; begins another run from the frame in view.</source>
-        <translation>Geht durch den Lauf zurück; „Von hier weiter“ beginnt beim gezeigten Bild einen neuen Lauf.</translation>
-    </message>
-    <message>
-        <source>Step %1 of %2</source>
-        <translation>Schritt %1 von %2</translation>
-    </message>
-</context>
-<context>
-    <name>VariantPages</name>
-    <message>
-        <source>not run</source>
-        <translation>nicht gerechnet</translation>
-    </message>
-    <message>
-        <source>not castable</source>
-        <translation>nicht gießbar</translation>
-    </message>
-    <message>
-        <source>Castable</source>
-        <translation>Gießbar</translation>
-    </message>
-    <message>
-        <source>Worst draft</source>
-        <translation>Kleinste Schräge</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>Dehnung</translation>
-    </message>
-    <message>
-        <source>Farthest, mm</source>
-        <translation>Größte Abw., mm</translation>
-    </message>
-    <message>
-        <source>RMS, mm</source>
-        <translation>RMS, mm</translation>
-    </message>
-    <message>
-        <source>Filled, cm³</source>
-        <translation>Gefüllt, cm³</translation>
-    </message>
-    <message>
-        <source>Block, mm</source>
-        <translation>Block, mm</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>nein</translation>
-    </message>
-    <message>
-        <source>one</source>
-        <translation>eine</translation>
-    </message>
-    <message>
-        <source>Variants</source>
-        <translation>Varianten</translation>
-    </message>
-    <message>
-        <source>Several designs of this part in one project.</source>
-        <translation>Mehrere Entwürfe dieses Teils in einem Projekt.</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>Distances are to the part, after the best rigid fit; the bold one is the current one, which all other pages show.</source>
-        <translation>Abstände sind die zum Teil, nach bester starrer Lage; die fette Variante ist die aktuelle, die alle anderen Seiten zeigen.</translation>
-    </message>
-    <message>
-        <source>One design so far. Duplicate it to try another plane, other pins or weights, and to compare both.</source>
-        <translation>Bisher ein Entwurf. Duplizieren Sie ihn, um eine andere Ebene, andere Heftpunkte oder Gewichte zu versuchen und beide zu vergleichen.</translation>
-    </message>
-    <message>
-        <source>current, %1</source>
-        <translation>aktuell, %1</translation>
-    </message>
-</context>
-<context>
-    <name>moldwright::FigureTable</name>
-    <message>
-        <source>%1, the current one</source>
-        <translation>%1, die aktuelle</translation>
-    </message>
-</context>
-<context>
-    <name>MoldPages</name>
-    <message>
-        <source>Block</source>
-        <translation>Block</translation>
-    </message>
-    <message>
-        <source>Wall</source>
-        <translation>Wand</translation>
-    </message>
-    <message>
-        <source>Steel between the cavities and each side face.</source>
-        <translation>Stahl zwischen den Kavitäten und jeder Seitenfläche.</translation>
-    </message>
-    <message>
-        <source>Over half 1</source>
-        <translation>Über Hälfte 1</translation>
-    </message>
-    <message>
-        <source>Steel over the cavities of half 1.</source>
-        <translation>Stahl über den Kavitäten von Hälfte 1.</translation>
-    </message>
-    <message>
-        <source>Under half 2</source>
-        <translation>Unter Hälfte 2</translation>
-    </message>
-    <message>
-        <source>Steel under the cavities of half 2.</source>
-        <translation>Stahl unter den Kavitäten von Hälfte 2.</translation>
-    </message>
-    <message>
-        <source>Cavities</source>
-        <translation>Kavitäten</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>Cavities in a row.</source>
-        <translation>Kavitäten in einer Reihe.</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>Reihen</translation>
-    </message>
-    <message>
-        <source>Rows of cavities.</source>
-        <translation>Reihen von Kavitäten.</translation>
-    </message>
-    <message>
-        <source>Arrangement</source>
-        <translation>Anordnung</translation>
-    </message>
-    <message>
-        <source>How rows lie to each other. Packed: as close as the outlines allow.</source>
-        <translation>Wie die Reihen zueinander liegen. Dicht: so eng, wie die Umrisse erlauben.</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Raster</translation>
-    </message>
-    <message>
-        <source>Staggered</source>
-        <translation>Versetzt</translation>
-    </message>
-    <message>
-        <source>Packed</source>
-        <translation>Dicht</translation>
-    </message>
-    <message>
-        <source>Steel between</source>
-        <translation>Stahl dazwischen</translation>
-    </message>
-    <message>
-        <source>Between cavities, and between them and channels.</source>
-        <translation>Zwischen Kavitäten, und zwischen ihnen und Kanälen.</translation>
-    </message>
-    <message>
-        <source>Shrink</source>
-        <translation>Schwindung</translation>
-    </message>
-    <message>
-        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
-        <translation>Wie viel der Werkstoff schwindet, entlang aller Achsen gleich; um so viel wird die Kavität größer. Unter 0: er dehnt sich aus.</translation>
-    </message>
-    <message>
-        <source>Made larger by</source>
-        <translation>Vergrößert um</translation>
-    </message>
-    <message>
-        <source>Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which.</source>
-        <translation>Beide sind üblich; bei 5 % sind es 1,0500 und 1,0526. Der Bericht nennt, welche.</translation>
-    </message>
-    <message>
-        <source>Filling</source>
-        <translation>Füllen</translation>
-    </message>
-    <message>
-        <source>Spout</source>
-        <translation>Anguss</translation>
-    </message>
-    <message>
-        <source>In the parting plane for a mold that stands on its edge; through half 1 for one that lies flat: that one breaks off at its neck.</source>
-        <translation>In der Trennebene für eine Form, die auf der Kante steht; durch Hälfte 1 für eine, die flach liegt: dieser bricht am Hals ab.</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>In the parting plane</source>
-        <translation>In der Trennebene</translation>
-    </message>
-    <message>
-        <source>Through half 1</source>
-        <translation>Durch Hälfte 1</translation>
-    </message>
-    <message>
-        <source>Spout&apos;s width</source>
-        <translation>Weite des Angusses</translation>
-    </message>
-    <message>
-        <source>In the parting plane; of one through half 1, above its neck.</source>
-        <translation>In der Trennebene; bei einem durch Hälfte 1 über dem Hals.</translation>
-    </message>
-    <message>
-        <source>Neck</source>
-        <translation>Hals</translation>
-    </message>
-    <message>
-        <source>Where a spout through half 1 breaks off.</source>
-        <translation>Wo ein Anguss durch Hälfte 1 abbricht.</translation>
-    </message>
-    <message>
-        <source>Vents</source>
-        <translation>Entlüftungen</translation>
-    </message>
-    <message>
-        <source>Where air would stay while the mold is filled.</source>
-        <translation>Wo beim Füllen Luft bliebe.</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Cast hollow</source>
-        <translation>Hohl gießen</translation>
-    </message>
-    <message>
-        <source>The wall that stays when the rest is poured out again; 0: solid.</source>
-        <translation>Die Wand, die bleibt, wenn der Rest wieder ausgegossen wird; 0: voll.</translation>
-    </message>
-    <message>
-        <source>Closing and opening</source>
-        <translation>Schließen und Öffnen</translation>
-    </message>
-    <message>
-        <source>Registration keys</source>
-        <translation>Zentrierzapfen</translation>
-    </message>
-    <message>
-        <source>On half 2, in sockets of half 1; one is larger, so that the halves fit one way only.</source>
-        <translation>Auf Hälfte 2, in Taschen von Hälfte 1; einer ist größer, damit die Hälften nur auf eine Weise passen.</translation>
-    </message>
-    <message>
-        <source>Their clearance</source>
-        <translation>Ihr Spiel</translation>
-    </message>
-    <message>
-        <source>On all sides and in depth.</source>
-        <translation>Auf allen Seiten und in der Tiefe.</translation>
-    </message>
-    <message>
-        <source>Wedge slits</source>
-        <translation>Keilschlitze</translation>
-    </message>
-    <message>
-        <source>Notches at the edge of the plane, to pry the halves apart.</source>
-        <translation>Kerben am Rand der Ebene, um die Hälften auseinanderzuhebeln.</translation>
-    </message>
-    <message>
-        <source>Bolt holes</source>
-        <translation>Schraubenlöcher</translation>
-    </message>
-    <message>
-        <source>Straight through both halves.</source>
-        <translation>Gerade durch beide Hälften.</translation>
-    </message>
-    <message>
-        <source>Ejector holes</source>
-        <translation>Auswerferlöcher</translation>
-    </message>
-    <message>
-        <source>For each cavity.</source>
-        <translation>Für jede Kavität.</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>veraltet</translation>
-    </message>
-    <message>
-        <source>proved</source>
-        <translation>bewiesen</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>nein</translation>
-    </message>
-    <message>
-        <source>Mold</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>Two halves around the cast.</source>
-        <translation>Zwei Hälften um den Guss.</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
-    </message>
-    <message>
-        <source>Half 1, mm</source>
-        <translation>Hälfte 1, mm</translation>
-    </message>
-    <message>
-        <source>Half 2, mm</source>
-        <translation>Hälfte 2, mm</translation>
-    </message>
-    <message>
-        <source>Channels</source>
-        <translation>Kanäle</translation>
-    </message>
-    <message>
-        <source>Air that stays</source>
-        <translation>Luft, die bleibt</translation>
-    </message>
-    <message>
-        <source>Both halves</source>
-        <translation>Beide Hälften</translation>
-    </message>
-    <message>
-        <source>Clamp force</source>
-        <translation>Schließkraft</translation>
-    </message>
-    <message>
-        <source>Smallest steel</source>
-        <translation>Kleinster Stahl</translation>
-    </message>
-    <message>
-        <source>Comes off</source>
-        <translation>Lässt sich abziehen</translation>
+        <source>The search for pins was cancelled.</source>
+        <translation>Die Suche nach Stiften wurde abgebrochen.</translation>
     </message>
 </context>
 </TS>

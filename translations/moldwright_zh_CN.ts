@@ -951,6 +951,22 @@
         <source>Remove the pin, the region or the variant that is chosen.</source>
         <translation>移除选中的固定点、区域或变型。</translation>
     </message>
+    <message>
+        <source>Place &amp;automatically</source>
+        <translation>自动放置(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Give the chosen feature of the mold back to the program.</source>
+        <translation>将所选的模具特征交还给程序放置。</translation>
+    </message>
+    <message>
+        <source>Place &amp;all automatically</source>
+        <translation>全部自动放置(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Give all features of the mold back that a hand has placed.</source>
+        <translation>将所有手动放置的模具特征交还给程序。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1120,6 +1136,171 @@
         <source>{0}: region {1} needs a &quot;weight&quot; from 1 (like the rest) to 65536, or with &quot;faces&quot; a list of such, one for each.</source>
         <translation>{0}：区域 {1} 需要一个 1（与其余相同）到 65536 的 &quot;weight&quot;，或者配合 &quot;faces&quot; 给出一个列表，每个面一个。</translation>
     </message>
+    <message>
+        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt or ejector), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
+        <translation>{0}：条目 {1} 需要 “kind”（spout、vent、key、slit、bolt 或 ejector）、从 1 起的 “number”，以及含两个数（mm）的 “at”。</translation>
+    </message>
+    <message>
+        <source>{0}: entry {1} puts a feature to another place than an entry before it.</source>
+        <translation>{0}：条目 {1} 将一个特征放到与之前条目不同的位置。</translation>
+    </message>
+</context>
+<context>
+    <name>ImportancePages</name>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>Measured over the surface, so the brush does not jump to a near wall.</source>
+        <translation>沿表面测量，因此画笔不会跳到邻近的壁上。</translation>
+    </message>
+    <message>
+        <source>Stop at creases</source>
+        <translation>止于折痕</translation>
+    </message>
+    <message>
+        <source>How sharp an edge must be for the face tool to end there.</source>
+        <translation>边要有多尖锐，面工具才止于此。</translation>
+    </message>
+    <message>
+        <source>Each stroke doubles the weight of what it covers; with Ctrl it halves it.</source>
+        <translation>每一笔使所覆盖部分的权重加倍；按住 Ctrl 则减半。</translation>
+    </message>
+    <message>
+        <source>Importance</source>
+        <translation>重要性</translation>
+    </message>
+    <message>
+        <source>What is painted keeps its shape; the rest gives way.</source>
+        <translation>绘制的部分保持形状；其余部分让步。</translation>
+    </message>
+    <message>
+        <source>All regions</source>
+        <translation>所有区域</translation>
+    </message>
+    <message>
+        <source>No region yet. A stroke makes one; F2 gives it a name.</source>
+        <translation>尚无区域。画一笔即成一个；按 F2 命名。</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Within their limits</source>
+        <translation>在限度之内</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 中的 %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>区域</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>权重</translation>
+    </message>
+    <message>
+        <source>The heaviest of its faces. Typed, it is given to all of them; 1 is only measured.</source>
+        <translation>其中最重的面的权重。输入后赋予所有面；1 表示只测量。</translation>
+    </message>
+    <message>
+        <source>Keep within ±</source>
+        <translation>保持在 ± 之内</translation>
+    </message>
+    <message>
+        <source>How far its points may move against each other; 0 is no limit.</source>
+        <translation>其各点之间可以相对移动多远；0 表示不限。</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>面数</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Measured in the cast</source>
+        <translation>在铸件中测得</translation>
+    </message>
+    <message>
+        <source>Largest change</source>
+        <translation>最大变化</translation>
+    </message>
+    <message>
+        <source>Of its shape, wherever it went as a whole: after its own best fit.</source>
+        <translation>指其形状的变化，不论整体移到何处：经自身最佳拟合之后。</translation>
+    </message>
+    <message>
+        <source>Mean change</source>
+        <translation>平均变化</translation>
+    </message>
+    <message>
+        <source>Root of the mean square.</source>
+        <translation>均方根。</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>应变</translation>
+    </message>
+    <message>
+        <source>How much its surface was stretched.</source>
+        <translation>其表面被拉伸了多少。</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+</context>
+<context>
+    <name>ImportancePaint</name>
+    <message>
+        <source>Importance</source>
+        <translation>重要性</translation>
+    </message>
+    <message>
+        <source>Shown on the part as opened only.</source>
+        <translation>只在打开时的零件上显示。</translation>
+    </message>
+    <message>
+        <source>like the rest</source>
+        <translation>与其余相同</translation>
+    </message>
+    <message>
+        <source>×32 or more</source>
+        <translation>×32 或以上</translation>
+    </message>
+</context>
+<context>
+    <name>Materials</name>
+    <message>
+        <source>{0}: the numbers of the material {1} cannot be right.</source>
+        <translation>{0}：材料 {1} 的数值不可能正确。</translation>
+    </message>
+    <message>
+        <source>{0} is not a table of materials: {1}.</source>
+        <translation>{0} 不是材料表：{1}。</translation>
+    </message>
+    <message>
+        <source>There is no material {0}. Known are: {1}.</source>
+        <translation>没有材料 {0}。已知的有：{1}。</translation>
+    </message>
 </context>
 <context>
     <name>Measurement</name>
@@ -1232,6 +1413,451 @@
     <message>
         <source>No block of the stock is large enough: the longest has {0} mm.</source>
         <translation>库存中没有足够大的模坯：最长的只有 {0} mm。</translation>
+    </message>
+    <message>
+        <source>Ejector hole {0} cannot enter the cavity of half {1} there: a pin of {2} mm needs ground that is flat within 35°, {3} mm from the parting line.</source>
+        <translation>顶针孔 {0} 不能在此处进入半模 {1} 的型腔：直径 {2} mm 的顶针需要 35° 以内的平坦面，并距分型线 {3} mm。</translation>
+    </message>
+    <message>
+        <source>Spout {0} cannot enter its cavity there: its neck of {1} mm has no room, or the ground is steeper than 70°.</source>
+        <translation>浇口 {0} 不能在此处进入型腔：其 {1} mm 的颈部放不下，或该处坡度超过 70°。</translation>
+    </message>
+    <message>
+        <source>Vent {0} would stand beside the {1} mm³ of air that it is to let out. Keep it over them, or have it placed automatically.</source>
+        <translation>排气 {0} 会偏离它要排出的 {1} mm³ 空气。请将其保持在空气上方，或自动放置。</translation>
+    </message>
+    <message>
+        <source>Vent {0} has no way out of the cavity there: it needs room for a foot wholly inside the cast, and nothing in its way.</source>
+        <translation>排气 {0} 在此处无法通出型腔：其底部须完全位于铸件之内，且路径上不得有阻挡。</translation>
+    </message>
+    <message>
+        <source>At x = {0} mm the spout has no room between the gates beside it. Move it away from them.</source>
+        <translation>在 x = {0} mm 处，浇口与旁边的内浇口之间没有空间。请将其移开。</translation>
+    </message>
+    <message>
+        <source>At x = {0} mm a spout {1} mm wide does not meet the cavity&apos;s parting line from above, which reaches from {2} to {3} mm. Move it inwards, or make its end narrower.</source>
+        <translation>在 x = {0} mm 处，宽 {1} mm 的浇口不能从上方接到型腔的分型线，后者的范围为 {2} 至 {3} mm。请向内移动，或收窄其末端。</translation>
+    </message>
+    <message>
+        <source>There is no steel between {0} and {1}. Move one of them, or have it placed automatically.</source>
+        <translation>{0} 与 {1} 之间没有钢材。请移动其中之一，或自动放置。</translation>
+    </message>
+    <message>
+        <source>No feature can stand {0} mm from the middle: blocks of this mold reach no farther than {1} mm.</source>
+        <translation>特征不能位于距中心 {0} mm 处：此模具的模块最远只到 {1} mm。</translation>
+    </message>
+</context>
+<context>
+    <name>MoldFeaturePages</name>
+    <message>
+        <source>Drag its disc in the view, or type here.</source>
+        <translation>在视图中拖动其圆点，或在此输入。</translation>
+    </message>
+    <message>
+        <source>Place in the parting plane</source>
+        <translation>在分型面中的位置</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Of the block, seen from half 1.</source>
+        <translation>模块的侧面，从半模 1 看。</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Along the edge</source>
+        <translation>沿边缘</translation>
+    </message>
+    <message>
+        <source>From the middle of the mold.</source>
+        <translation>从模具中心起。</translation>
+    </message>
+    <message>
+        <source>From the middle of the mold; up is where it is filled.</source>
+        <translation>从模具中心起；上方为浇注处。</translation>
+    </message>
+    <message>
+        <source>From the middle of its cavity; up is where it is filled.</source>
+        <translation>从其型腔中心起；上方为浇注处。</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>Stands</source>
+        <translation>放置</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>最薄钢材</translation>
+    </message>
+    <message>
+        <source>Between this and the nearest other feature or face of the block.</source>
+        <translation>与最近的其他特征或模块表面之间。</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>automatically</source>
+        <translation>自动</translation>
+    </message>
+</context>
+<context>
+    <name>MoldPages</name>
+    <message>
+        <source>Block</source>
+        <translation>模块</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>壁厚</translation>
+    </message>
+    <message>
+        <source>Steel between the cavities and each side face.</source>
+        <translation>型腔与各侧面之间的钢料。</translation>
+    </message>
+    <message>
+        <source>Over half 1</source>
+        <translation>半模 1 之上</translation>
+    </message>
+    <message>
+        <source>Steel over the cavities of half 1.</source>
+        <translation>半模 1 型腔上方的钢料。</translation>
+    </message>
+    <message>
+        <source>Under half 2</source>
+        <translation>半模 2 之下</translation>
+    </message>
+    <message>
+        <source>Steel under the cavities of half 2.</source>
+        <translation>半模 2 型腔下方的钢料。</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>型腔</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>Cavities in a row.</source>
+        <translation>每行的型腔数。</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Rows of cavities.</source>
+        <translation>型腔的行数。</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>排列</translation>
+    </message>
+    <message>
+        <source>How rows lie to each other. Packed: as close as the outlines allow.</source>
+        <translation>各行的相对位置。紧密：按轮廓允许的最近距离。</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Staggered</source>
+        <translation>交错</translation>
+    </message>
+    <message>
+        <source>Packed</source>
+        <translation>紧密</translation>
+    </message>
+    <message>
+        <source>Steel between</source>
+        <translation>间隔钢料</translation>
+    </message>
+    <message>
+        <source>Between cavities, and between them and channels.</source>
+        <translation>型腔之间，以及型腔与流道之间。</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>收缩率</translation>
+    </message>
+    <message>
+        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
+        <translation>材料的收缩量，各轴相同；型腔按此放大。小于 0 表示膨胀。</translation>
+    </message>
+    <message>
+        <source>Made larger by</source>
+        <translation>放大系数</translation>
+    </message>
+    <message>
+        <source>Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which.</source>
+        <translation>两种都在使用；5 % 时分别为 1.0500 和 1.0526。报告中会注明。</translation>
+    </message>
+    <message>
+        <source>Filling</source>
+        <translation>浇注</translation>
+    </message>
+    <message>
+        <source>Spout</source>
+        <translation>浇口</translation>
+    </message>
+    <message>
+        <source>In the parting plane for a mold that stands on its edge; through half 1 for one that lies flat: that one breaks off at its neck.</source>
+        <translation>立放的模具在分型面内；平放的模具穿过半模 1，并在颈部折断。</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>In the parting plane</source>
+        <translation>在分型面内</translation>
+    </message>
+    <message>
+        <source>Through half 1</source>
+        <translation>穿过半模 1</translation>
+    </message>
+    <message>
+        <source>Spout&apos;s width</source>
+        <translation>浇口宽度</translation>
+    </message>
+    <message>
+        <source>In the parting plane; of one through half 1, above its neck.</source>
+        <translation>在分型面内；穿过半模 1 时为颈部上方。</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>颈部</translation>
+    </message>
+    <message>
+        <source>Where a spout through half 1 breaks off.</source>
+        <translation>穿过半模 1 的浇口在此折断。</translation>
+    </message>
+    <message>
+        <source>Vents</source>
+        <translation>排气</translation>
+    </message>
+    <message>
+        <source>Where air would stay while the mold is filled.</source>
+        <translation>浇注时空气会滞留之处。</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Cast hollow</source>
+        <translation>空心浇铸</translation>
+    </message>
+    <message>
+        <source>The wall that stays when the rest is poured out again; 0: solid.</source>
+        <translation>倒出其余材料后留下的壁厚；0 表示实心。</translation>
+    </message>
+    <message>
+        <source>Closing and opening</source>
+        <translation>合模与开模</translation>
+    </message>
+    <message>
+        <source>Registration keys</source>
+        <translation>定位销</translation>
+    </message>
+    <message>
+        <source>On half 2, in sockets of half 1; one is larger, so that the halves fit one way only.</source>
+        <translation>位于半模 2，嵌入半模 1 的凹槽；其中一个较大，使两半只能以一种方式配合。</translation>
+    </message>
+    <message>
+        <source>Their clearance</source>
+        <translation>其间隙</translation>
+    </message>
+    <message>
+        <source>On all sides and in depth.</source>
+        <translation>各侧及深度方向。</translation>
+    </message>
+    <message>
+        <source>Wedge slits</source>
+        <translation>撬模槽</translation>
+    </message>
+    <message>
+        <source>Notches at the edge of the plane, to pry the halves apart.</source>
+        <translation>分型面边缘的缺口，用于撬开两半。</translation>
+    </message>
+    <message>
+        <source>Bolt holes</source>
+        <translation>螺栓孔</translation>
+    </message>
+    <message>
+        <source>Straight through both halves.</source>
+        <translation>直穿两半。</translation>
+    </message>
+    <message>
+        <source>Ejector holes</source>
+        <translation>顶针孔</translation>
+    </message>
+    <message>
+        <source>For each cavity.</source>
+        <translation>每个型腔。</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>已过时</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>已证明</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>模具</translation>
+    </message>
+    <message>
+        <source>Two halves around the cast.</source>
+        <translation>围绕铸件的两个半模。</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>Half 1, mm</source>
+        <translation>半模 1，mm</translation>
+    </message>
+    <message>
+        <source>Half 2, mm</source>
+        <translation>半模 2，mm</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>流道</translation>
+    </message>
+    <message>
+        <source>Air that stays</source>
+        <translation>滞留空气</translation>
+    </message>
+    <message>
+        <source>Both halves</source>
+        <translation>两个半模</translation>
+    </message>
+    <message>
+        <source>Clamp force</source>
+        <translation>锁模力</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>最薄钢材</translation>
+    </message>
+    <message>
+        <source>Comes off</source>
+        <translation>可脱开</translation>
+    </message>
+</context>
+<context>
+    <name>MoldPlacing</name>
+    <message>
+        <source>the block&apos;s face</source>
+        <translation>模块表面</translation>
+    </message>
+    <message>
+        <source>cavity %1</source>
+        <translation>型腔 %1</translation>
+    </message>
+    <message>
+        <source>a runner</source>
+        <translation>流道</translation>
+    </message>
+    <message>
+        <source>a gate</source>
+        <translation>内浇口</translation>
+    </message>
+    <message>
+        <source>spout %1</source>
+        <translation>浇口 %1</translation>
+    </message>
+    <message>
+        <source>vent %1</source>
+        <translation>排气 %1</translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation>定位销 %1</translation>
+    </message>
+    <message>
+        <source>wedge slit %1</source>
+        <translation>撬模槽 %1</translation>
+    </message>
+    <message>
+        <source>bolt hole %1</source>
+        <translation>螺栓孔 %1</translation>
+    </message>
+    <message>
+        <source>ejector hole %1</source>
+        <translation>顶针孔 %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动 %1</translation>
+    </message>
+    <message>
+        <source>Place %1 automatically</source>
+        <translation>自动放置 %1</translation>
+    </message>
+    <message>
+        <source>Place all automatically</source>
+        <translation>全部自动放置</translation>
+    </message>
+    <message>
+        <source>Spout %1</source>
+        <translation>浇口 %1</translation>
+    </message>
+    <message>
+        <source>Vent %1</source>
+        <translation>排气 %1</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>定位销 %1</translation>
+    </message>
+    <message>
+        <source>Wedge slit %1</source>
+        <translation>撬模槽 %1</translation>
+    </message>
+    <message>
+        <source>Bolt hole %1</source>
+        <translation>螺栓孔 %1</translation>
+    </message>
+    <message>
+        <source>Ejector hole %1</source>
+        <translation>顶针孔 %1</translation>
+    </message>
+    <message>
+        <source>No steel to %1, %2 mm asked for</source>
+        <translation>到%1没有钢材，要求 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm of steel to %2, %3 asked for</source>
+        <translation>到%2的钢材 %1 mm，要求 %3</translation>
+    </message>
+    <message>
+        <source>%1 mm of steel to %2</source>
+        <translation>到%2的钢材 %1 mm</translation>
     </message>
 </context>
 <context>
@@ -2183,6 +2809,85 @@
     </message>
 </context>
 <context>
+    <name>VariantPages</name>
+    <message>
+        <source>not run</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>not castable</source>
+        <translation>不可铸造</translation>
+    </message>
+    <message>
+        <source>Castable</source>
+        <translation>可铸造</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>最小拔模角</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>应变</translation>
+    </message>
+    <message>
+        <source>Farthest, mm</source>
+        <translation>最大偏差，mm</translation>
+    </message>
+    <message>
+        <source>RMS, mm</source>
+        <translation>均方根，mm</translation>
+    </message>
+    <message>
+        <source>Filled, cm³</source>
+        <translation>填充，cm³</translation>
+    </message>
+    <message>
+        <source>Block, mm</source>
+        <translation>模块，mm</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步数</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>一个</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>变型</translation>
+    </message>
+    <message>
+        <source>Several designs of this part in one project.</source>
+        <translation>一个项目中同一零件的多个设计。</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>并排比较</translation>
+    </message>
+    <message>
+        <source>Distances are to the part, after the best rigid fit; the bold one is the current one, which all other pages show.</source>
+        <translation>距离是最佳刚性配准后到零件的距离；粗体的是当前变型，其他页面显示的都是它。</translation>
+    </message>
+    <message>
+        <source>One design so far. Duplicate it to try another plane, other pins or weights, and to compare both.</source>
+        <translation>目前只有一个设计。复制它即可尝试另一个分型面、其他固定点或权重，并比较两者。</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>当前，%1</translation>
+    </message>
+</context>
+<context>
     <name>design</name>
     <message>
         <source>Filling would join pieces of the part that are apart. Allow it, take them apart further, or give another plane.</source>
@@ -2597,6 +3302,28 @@
     <message>
         <source>Close %1</source>
         <translation>关闭 %1</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::FigureTable</name>
+    <message>
+        <source>%1, the current one</source>
+        <translation>%1，当前变型</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::FrameSlider</name>
+    <message>
+        <source>Frames of the run</source>
+        <translation>运行的各帧</translation>
+    </message>
+    <message>
+        <source>Goes back through the run; &quot;Go on from here&quot; begins another run from the frame in view.</source>
+        <translation>在运行过程中回看；“从此处继续”从所示帧开始新的运行。</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
     </message>
 </context>
 <context>
@@ -3117,6 +3844,10 @@
     <message>
         <source>&lt;b&gt;Return&lt;/b&gt; makes the chosen variant the current one, &lt;b&gt;Ctrl+D&lt;/b&gt; duplicates it, &lt;b&gt;F2&lt;/b&gt; renames it, &lt;b&gt;Del&lt;/b&gt; removes it. %1</source>
         <translation>&lt;b&gt;回车&lt;/b&gt;把选中的变型设为当前，&lt;b&gt;Ctrl+D&lt;/b&gt; 复制，&lt;b&gt;F2&lt;/b&gt; 重命名，&lt;b&gt;Del&lt;/b&gt; 移除。%1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag&lt;/b&gt; a disc to place a feature of the mold, with &lt;b&gt;Shift&lt;/b&gt; without steps. %1</source>
+        <translation>&lt;b&gt;拖动&lt;/b&gt;圆点以放置模具特征，按住 &lt;b&gt;Shift&lt;/b&gt; 则不按步。%1</translation>
     </message>
 </context>
 <context>
@@ -3872,519 +4603,6 @@
     <message>
         <source>The search for pins was cancelled.</source>
         <translation>固定点的搜索已取消。</translation>
-    </message>
-</context>
-<context>
-    <name>Materials</name>
-    <message>
-        <source>{0}: the numbers of the material {1} cannot be right.</source>
-        <translation>{0}：材料 {1} 的数值不可能正确。</translation>
-    </message>
-    <message>
-        <source>{0} is not a table of materials: {1}.</source>
-        <translation>{0} 不是材料表：{1}。</translation>
-    </message>
-    <message>
-        <source>There is no material {0}. Known are: {1}.</source>
-        <translation>没有材料 {0}。已知的有：{1}。</translation>
-    </message>
-</context>
-<context>
-    <name>ImportancePages</name>
-    <message>
-        <source>empty</source>
-        <translation>空</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>绘制</translation>
-    </message>
-    <message>
-        <source>Brush radius</source>
-        <translation>画笔半径</translation>
-    </message>
-    <message>
-        <source>Measured over the surface, so the brush does not jump to a near wall.</source>
-        <translation>沿表面测量，因此画笔不会跳到邻近的壁上。</translation>
-    </message>
-    <message>
-        <source>Stop at creases</source>
-        <translation>止于折痕</translation>
-    </message>
-    <message>
-        <source>How sharp an edge must be for the face tool to end there.</source>
-        <translation>边要有多尖锐，面工具才止于此。</translation>
-    </message>
-    <message>
-        <source>Each stroke doubles the weight of what it covers; with Ctrl it halves it.</source>
-        <translation>每一笔使所覆盖部分的权重加倍；按住 Ctrl 则减半。</translation>
-    </message>
-    <message>
-        <source>Importance</source>
-        <translation>重要性</translation>
-    </message>
-    <message>
-        <source>What is painted keeps its shape; the rest gives way.</source>
-        <translation>绘制的部分保持形状；其余部分让步。</translation>
-    </message>
-    <message>
-        <source>All regions</source>
-        <translation>所有区域</translation>
-    </message>
-    <message>
-        <source>No region yet. A stroke makes one; F2 gives it a name.</source>
-        <translation>尚无区域。画一笔即成一个；按 F2 命名。</translation>
-    </message>
-    <message>
-        <source>Regions</source>
-        <translation>区域</translation>
-    </message>
-    <message>
-        <source>Within their limits</source>
-        <translation>在限度之内</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%2 中的 %1</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Region</source>
-        <translation>区域</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>权重</translation>
-    </message>
-    <message>
-        <source>The heaviest of its faces. Typed, it is given to all of them; 1 is only measured.</source>
-        <translation>其中最重的面的权重。输入后赋予所有面；1 表示只测量。</translation>
-    </message>
-    <message>
-        <source>Keep within ±</source>
-        <translation>保持在 ± 之内</translation>
-    </message>
-    <message>
-        <source>How far its points may move against each other; 0 is no limit.</source>
-        <translation>其各点之间可以相对移动多远；0 表示不限。</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>面数</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>面积</translation>
-    </message>
-    <message>
-        <source>Measured in the cast</source>
-        <translation>在铸件中测得</translation>
-    </message>
-    <message>
-        <source>Largest change</source>
-        <translation>最大变化</translation>
-    </message>
-    <message>
-        <source>Of its shape, wherever it went as a whole: after its own best fit.</source>
-        <translation>指其形状的变化，不论整体移到何处：经自身最佳拟合之后。</translation>
-    </message>
-    <message>
-        <source>Mean change</source>
-        <translation>平均变化</translation>
-    </message>
-    <message>
-        <source>Root of the mean square.</source>
-        <translation>均方根。</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>应变</translation>
-    </message>
-    <message>
-        <source>How much its surface was stretched.</source>
-        <translation>其表面被拉伸了多少。</translation>
-    </message>
-    <message>
-        <source>no limit</source>
-        <translation>不限</translation>
-    </message>
-</context>
-<context>
-    <name>ImportancePaint</name>
-    <message>
-        <source>Importance</source>
-        <translation>重要性</translation>
-    </message>
-    <message>
-        <source>Shown on the part as opened only.</source>
-        <translation>只在打开时的零件上显示。</translation>
-    </message>
-    <message>
-        <source>like the rest</source>
-        <translation>与其余相同</translation>
-    </message>
-    <message>
-        <source>×32 or more</source>
-        <translation>×32 或以上</translation>
-    </message>
-</context>
-<context>
-    <name>moldwright::FrameSlider</name>
-    <message>
-        <source>Frames of the run</source>
-        <translation>运行的各帧</translation>
-    </message>
-    <message>
-        <source>Goes back through the run; &quot;Go on from here&quot; begins another run from the frame in view.</source>
-        <translation>在运行过程中回看；“从此处继续”从所示帧开始新的运行。</translation>
-    </message>
-    <message>
-        <source>Step %1 of %2</source>
-        <translation>第 %1 步，共 %2 步</translation>
-    </message>
-</context>
-<context>
-    <name>VariantPages</name>
-    <message>
-        <source>not run</source>
-        <translation>未运行</translation>
-    </message>
-    <message>
-        <source>not castable</source>
-        <translation>不可铸造</translation>
-    </message>
-    <message>
-        <source>Castable</source>
-        <translation>可铸造</translation>
-    </message>
-    <message>
-        <source>Worst draft</source>
-        <translation>最小拔模角</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>应变</translation>
-    </message>
-    <message>
-        <source>Farthest, mm</source>
-        <translation>最大偏差，mm</translation>
-    </message>
-    <message>
-        <source>RMS, mm</source>
-        <translation>均方根，mm</translation>
-    </message>
-    <message>
-        <source>Filled, cm³</source>
-        <translation>填充，cm³</translation>
-    </message>
-    <message>
-        <source>Block, mm</source>
-        <translation>模块，mm</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>步数</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>是</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>否</translation>
-    </message>
-    <message>
-        <source>one</source>
-        <translation>一个</translation>
-    </message>
-    <message>
-        <source>Variants</source>
-        <translation>变型</translation>
-    </message>
-    <message>
-        <source>Several designs of this part in one project.</source>
-        <translation>一个项目中同一零件的多个设计。</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>并排比较</translation>
-    </message>
-    <message>
-        <source>Distances are to the part, after the best rigid fit; the bold one is the current one, which all other pages show.</source>
-        <translation>距离是最佳刚性配准后到零件的距离；粗体的是当前变型，其他页面显示的都是它。</translation>
-    </message>
-    <message>
-        <source>One design so far. Duplicate it to try another plane, other pins or weights, and to compare both.</source>
-        <translation>目前只有一个设计。复制它即可尝试另一个分型面、其他固定点或权重，并比较两者。</translation>
-    </message>
-    <message>
-        <source>current, %1</source>
-        <translation>当前，%1</translation>
-    </message>
-</context>
-<context>
-    <name>moldwright::FigureTable</name>
-    <message>
-        <source>%1, the current one</source>
-        <translation>%1，当前变型</translation>
-    </message>
-</context>
-<context>
-    <name>MoldPages</name>
-    <message>
-        <source>Block</source>
-        <translation>模块</translation>
-    </message>
-    <message>
-        <source>Wall</source>
-        <translation>壁厚</translation>
-    </message>
-    <message>
-        <source>Steel between the cavities and each side face.</source>
-        <translation>型腔与各侧面之间的钢料。</translation>
-    </message>
-    <message>
-        <source>Over half 1</source>
-        <translation>半模 1 之上</translation>
-    </message>
-    <message>
-        <source>Steel over the cavities of half 1.</source>
-        <translation>半模 1 型腔上方的钢料。</translation>
-    </message>
-    <message>
-        <source>Under half 2</source>
-        <translation>半模 2 之下</translation>
-    </message>
-    <message>
-        <source>Steel under the cavities of half 2.</source>
-        <translation>半模 2 型腔下方的钢料。</translation>
-    </message>
-    <message>
-        <source>Cavities</source>
-        <translation>型腔</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>并排</translation>
-    </message>
-    <message>
-        <source>Cavities in a row.</source>
-        <translation>每行的型腔数。</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>行数</translation>
-    </message>
-    <message>
-        <source>Rows of cavities.</source>
-        <translation>型腔的行数。</translation>
-    </message>
-    <message>
-        <source>Arrangement</source>
-        <translation>排列</translation>
-    </message>
-    <message>
-        <source>How rows lie to each other. Packed: as close as the outlines allow.</source>
-        <translation>各行的相对位置。紧密：按轮廓允许的最近距离。</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>网格</translation>
-    </message>
-    <message>
-        <source>Staggered</source>
-        <translation>交错</translation>
-    </message>
-    <message>
-        <source>Packed</source>
-        <translation>紧密</translation>
-    </message>
-    <message>
-        <source>Steel between</source>
-        <translation>间隔钢料</translation>
-    </message>
-    <message>
-        <source>Between cavities, and between them and channels.</source>
-        <translation>型腔之间，以及型腔与流道之间。</translation>
-    </message>
-    <message>
-        <source>Shrink</source>
-        <translation>收缩率</translation>
-    </message>
-    <message>
-        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
-        <translation>材料的收缩量，各轴相同；型腔按此放大。小于 0 表示膨胀。</translation>
-    </message>
-    <message>
-        <source>Made larger by</source>
-        <translation>放大系数</translation>
-    </message>
-    <message>
-        <source>Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which.</source>
-        <translation>两种都在使用；5 % 时分别为 1.0500 和 1.0526。报告中会注明。</translation>
-    </message>
-    <message>
-        <source>Filling</source>
-        <translation>浇注</translation>
-    </message>
-    <message>
-        <source>Spout</source>
-        <translation>浇口</translation>
-    </message>
-    <message>
-        <source>In the parting plane for a mold that stands on its edge; through half 1 for one that lies flat: that one breaks off at its neck.</source>
-        <translation>立放的模具在分型面内；平放的模具穿过半模 1，并在颈部折断。</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>In the parting plane</source>
-        <translation>在分型面内</translation>
-    </message>
-    <message>
-        <source>Through half 1</source>
-        <translation>穿过半模 1</translation>
-    </message>
-    <message>
-        <source>Spout&apos;s width</source>
-        <translation>浇口宽度</translation>
-    </message>
-    <message>
-        <source>In the parting plane; of one through half 1, above its neck.</source>
-        <translation>在分型面内；穿过半模 1 时为颈部上方。</translation>
-    </message>
-    <message>
-        <source>Neck</source>
-        <translation>颈部</translation>
-    </message>
-    <message>
-        <source>Where a spout through half 1 breaks off.</source>
-        <translation>穿过半模 1 的浇口在此折断。</translation>
-    </message>
-    <message>
-        <source>Vents</source>
-        <translation>排气</translation>
-    </message>
-    <message>
-        <source>Where air would stay while the mold is filled.</source>
-        <translation>浇注时空气会滞留之处。</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>Cast hollow</source>
-        <translation>空心浇铸</translation>
-    </message>
-    <message>
-        <source>The wall that stays when the rest is poured out again; 0: solid.</source>
-        <translation>倒出其余材料后留下的壁厚；0 表示实心。</translation>
-    </message>
-    <message>
-        <source>Closing and opening</source>
-        <translation>合模与开模</translation>
-    </message>
-    <message>
-        <source>Registration keys</source>
-        <translation>定位销</translation>
-    </message>
-    <message>
-        <source>On half 2, in sockets of half 1; one is larger, so that the halves fit one way only.</source>
-        <translation>位于半模 2，嵌入半模 1 的凹槽；其中一个较大，使两半只能以一种方式配合。</translation>
-    </message>
-    <message>
-        <source>Their clearance</source>
-        <translation>其间隙</translation>
-    </message>
-    <message>
-        <source>On all sides and in depth.</source>
-        <translation>各侧及深度方向。</translation>
-    </message>
-    <message>
-        <source>Wedge slits</source>
-        <translation>撬模槽</translation>
-    </message>
-    <message>
-        <source>Notches at the edge of the plane, to pry the halves apart.</source>
-        <translation>分型面边缘的缺口，用于撬开两半。</translation>
-    </message>
-    <message>
-        <source>Bolt holes</source>
-        <translation>螺栓孔</translation>
-    </message>
-    <message>
-        <source>Straight through both halves.</source>
-        <translation>直穿两半。</translation>
-    </message>
-    <message>
-        <source>Ejector holes</source>
-        <translation>顶针孔</translation>
-    </message>
-    <message>
-        <source>For each cavity.</source>
-        <translation>每个型腔。</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>已过时</translation>
-    </message>
-    <message>
-        <source>proved</source>
-        <translation>已证明</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>否</translation>
-    </message>
-    <message>
-        <source>Mold</source>
-        <translation>模具</translation>
-    </message>
-    <message>
-        <source>Two halves around the cast.</source>
-        <translation>围绕铸件的两个半模。</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>测得</translation>
-    </message>
-    <message>
-        <source>Half 1, mm</source>
-        <translation>半模 1，mm</translation>
-    </message>
-    <message>
-        <source>Half 2, mm</source>
-        <translation>半模 2，mm</translation>
-    </message>
-    <message>
-        <source>Channels</source>
-        <translation>流道</translation>
-    </message>
-    <message>
-        <source>Air that stays</source>
-        <translation>滞留空气</translation>
-    </message>
-    <message>
-        <source>Both halves</source>
-        <translation>两个半模</translation>
-    </message>
-    <message>
-        <source>Clamp force</source>
-        <translation>锁模力</translation>
-    </message>
-    <message>
-        <source>Smallest steel</source>
-        <translation>最薄钢材</translation>
-    </message>
-    <message>
-        <source>Comes off</source>
-        <translation>可脱开</translation>
     </message>
 </context>
 </TS>

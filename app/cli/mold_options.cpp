@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/mold_options.h"
 
+#include "project/guide_files.h"
+
 #include <CLI/CLI.hpp>
 
 #include <charconv>
@@ -128,6 +130,9 @@ void MoldOptions::declareHoles(CLI::App& app) {
         ->type_name("N")
         ->check(CLI::Range(0, 12));
     length(app, "--ejector-diameter", ejectorDiameter, "Of the pins");
+    app.add_option("--places", places,
+                   "JSON file of features that are placed by hand, as mold.json lists them; auto: none")
+        ->type_name("FILE|auto");
     app.add_option("--ejector-half", ejectorSide, "The half that the pins pass through")
         ->check(CLI::Range(1, 2));
 }
@@ -142,6 +147,8 @@ Result<MoldSettings> MoldOptions::applied(MoldSettings settings) const {
         return std::unexpected(done.error());
     applyRegistration(settings);
     applyHoles(settings);
+    if (Result<void> done = applyPlaces(settings.placed); !done)
+        return std::unexpected(done.error());
     return settings;
 }
 
@@ -234,6 +241,16 @@ Result<void> MoldOptions::applyChannels(MoldSettings& settings) const {
         settings.vents.on = vents == "auto";
     take(settings.vents.diameter, ventDiameter);
     take(settings.vents.smallestTrap, smallestTrap);
+    return {};
+}
+
+Result<void> MoldOptions::applyPlaces(PlacedFeatures& placed) const {
+    if (places.empty())
+        return {};
+    Result<PlacedFeatures> read = places == "auto" ? PlacedFeatures() : readPlaces(places);
+    if (!read)
+        return std::unexpected(read.error());
+    placed = *std::move(read);
     return {};
 }
 

@@ -30,6 +30,7 @@ private:
     void declareHoles(CLI::App& app);
     [[nodiscard]] Result<void> applyLayout(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyShrink(ShrinkSettings& shrink) const;
+    [[nodiscard]] Result<void> applyPlaces(PlacedFeatures& placed) const;
     [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;
     void applyBlock(MoldSettings& settings) const;
     void applyRegistration(MoldSettings& settings) const;
@@ -38,7 +39,7 @@ private:
     std::optional<double> wall, side, floor, ceiling, step, pressure, leastSteel, density, blockDensity;
     std::optional<double> hollow, neck;
     std::vector<double> stock;
-    std::string cavities, arrangement, alternate;
+    std::string cavities, arrangement, alternate, places;
     std::optional<double> spacing;
     std::vector<double> shrink, shrinkOrigin;
     std::string shrinkFormula;

@@ -25,6 +25,7 @@ struct HalfBore {
     std::vector<Station> stations;
     double flare = 0; ///< how much wider the last section is than the one before, mm per mm of height
     double tip = 0;   ///< mm: height of the cavity over the plane at its axis
+    int number = 0;   ///< among those of its name, from 0
 
     /// Where the axis is at a height over the plane, mm; d: the half's removal direction, unit.
     [[nodiscard]] Eigen::Vector3d at(double height, const Eigen::Vector3d& d) const;

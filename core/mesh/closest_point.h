@@ -9,7 +9,8 @@
 
 namespace moldwright {
 
-/// Answers how far points are from a surface, by a tree of boxes (CGAL AABB tree). Thread-safe once built.
+/// Answers how far points are from a surface, and what meets it, by a tree of boxes (CGAL AABB tree).
+/// Thread-safe once built.
 class ClosestPoint {
 public:
     explicit ClosestPoint(const IndexedMesh& mesh);
@@ -19,6 +20,12 @@ public:
 
     /// Distance from p to the nearest point of the surface, in the mesh's units.
     [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
+
+    /// Whether `other`, moved by `shift`, crosses or touches the surface, but for rounding.
+    [[nodiscard]] bool meets(const IndexedMesh& other, const Eigen::Vector3d& shift) const;
+
+    /// Whether p lies in the solid. Precondition: the surface is closed.
+    [[nodiscard]] bool holds(const Eigen::Vector3d& p) const;
 
 private:
     struct Tree;

@@ -34,12 +34,18 @@ std::optional<Block> blockAround(const BlockContent& content, const MoldSettings
         const double reach = std::max(-cast.min()[axis], cast.max()[axis]);
         return roundedUp(roundedUp(2 * (reach + wall), step, 0) / 2, 0, grid);
     };
-    const double x = half(0, content.wallX);
+    const auto forHand = [&](double reach) {
+        return content.byHand.isEmpty() ? 0 : roundedUp(roundedUp(2 * reach, step, 0) / 2, 0, grid);
+    };
+    const Eigen::AlignedBox2d& byHand = content.byHand;
+    const double x =
+        std::max({half(0, content.wallX), forHand(-byHand.min().x()), forHand(byHand.max().x())});
     const double y = half(1, content.wallY);
-    const double top = std::max(y, roundedUp(content.spoutTop, step, grid));
+    const double top = std::max({y, roundedUp(content.spoutTop, step, grid), forHand(byHand.max().y())});
+    const double bottom = std::max(y, forHand(-byHand.min().y()));
     const double up = roundedUp(std::max(cast.max().z(), 0.0) + settings.ceiling, step, grid);
     const double down = roundedUp(std::max(-cast.min().z(), 0.0) + settings.floor, step, grid);
-    Block block(Eigen::Vector3d(-x, -y, -down), Eigen::Vector3d(x, top, up));
+    Block block(Eigen::Vector3d(-x, -bottom, -down), Eigen::Vector3d(x, top, up));
     for (const int axis : {0, 1}) {
         const std::optional<double> more = missingToStock(block.sizes()[axis], settings.stock);
         if (!more)

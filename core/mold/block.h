@@ -18,6 +18,7 @@ struct BlockContent {
     double wallX = 5;             ///< steel at the faces left and right
     double wallY = 5;             ///< at the face below, and above without a spout
     double spoutTop = 0;          ///< y that the upper face must reach; below the wall's: none
+    Eigen::AlignedBox2d byHand;   ///< what stands where a hand put it, with the steel to its outside
 };
 
 /// Walls, floor and ceiling at least, sizes rounded up to the settings' step; length and width to the next of

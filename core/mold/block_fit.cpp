@@ -7,13 +7,14 @@
 
 namespace moldwright {
 
+using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 std::vector<MoldBuilder::OutwardHole> MoldBuilder::outwardHoles(const CavityCopy& copy) const {
     std::vector<OutwardHole> holes;
     const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
-    for (const HalfBore& bore : m_bores[copy.kind]) {
+    for (const HalfBore& bore : (*m_entries)[copy.kind].bores) {
         double widest = 0;
         for (const HalfBore::Station& station : bore.stations)
             widest = std::max(widest, station.radius);
@@ -23,10 +24,8 @@ std::vector<MoldBuilder::OutwardHole> MoldBuilder::outwardHoles(const CavityCopy
                          bore.flare > 0 ? 2 * widest : widest});
     }
     if (m_mold.settings.vents.on)
-        for (const AirTrap& trap : m_traps[copy.kind]) {
-            const Vector3d top = m_kinds[copy.kind].cast.point(trap.point);
-            holes.push_back({top + by, top.z() >= 0 ? 1 : 2, m_mold.settings.vents.diameter});
-        }
+        for (const VentedTrap& vented : (*m_entries)[copy.kind].traps)
+            holes.push_back({vented.top + by, vented.top.z() >= 0 ? 1 : 2, m_mold.settings.vents.diameter});
     return holes;
 }
 
@@ -39,7 +38,7 @@ Vector3d MoldBuilder::mouthOf(const OutwardHole& hole, const Eigen::AlignedBox3d
 Obstacles MoldBuilder::planObstacles(const Block& block) const {
     Obstacles obstacles;
     for (const CavityCopy& copy : m_layout.copies) {
-        obstacles.push_back(movedPlan(m_kinds[copy.kind].hull, copy.offset));
+        obstacles.push_back(movedPlan(kinds()[copy.kind].hull, copy.offset));
         for (const OutwardHole& hole : outwardHoles(copy)) {
             // Oblique ones pass over the plane beside the cavity.
             Points ends(2 * circleCorners, 3);
@@ -59,22 +58,20 @@ void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const 
     const double funnel = std::max(spout().funnel, spout().diameter) / 2;
     if (single()) {
         // Spout and vents go straight up.
-        const IndexedMesh& cast = m_kinds.front().cast;
-        const auto add = [&](int point, double half) {
-            const Vector2d tip = cast.V.row(point).head<2>().transpose() + m_layout.copies.front().offset;
+        const auto add = [&](const Vector2d& top, double half) {
+            const Vector2d tip = top + m_layout.copies.front().offset;
             obstacles.push_back(planRectangle({tip.x() - half, tip.y()}, {tip.x() + half, faceY}));
         };
-        for (const Gate& gate : m_gates.front())
-            add(gate.point, funnel);
-        if (m_mold.settings.vents.on)
-            for (const AirTrap& trap : m_traps.front())
-                add(trap.point, m_mold.settings.vents.diameter);
+        for (const Gate& gate : m_entries->front().gates)
+            add(gate.tip, funnel);
+        for (const VentedTrap& vented : m_entries->front().traps)
+            add(vented.top.head<2>(), m_mold.settings.vents.diameter);
         return;
     }
     const ChannelWidths& widths = m_widths;
     Eigen::AlignedBox2d all;
     for (const CavityCopy& copy : m_layout.copies)
-        for (const Vector2d& p : m_kinds[copy.kind].hull)
+        for (const Vector2d& p : kinds()[copy.kind].hull)
             all.extend(Vector2d(p + copy.offset));
     for (const double axis : m_layout.runnerAxes)
         obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
@@ -91,7 +88,7 @@ std::optional<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     content.wallY = wallY;
     for (const CavityCopy& copy : m_layout.copies)
         content.cavities.extend(
-            boundingBox(m_kinds[copy.kind].cast).translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
+            boundingBox(kinds()[copy.kind].cast).translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
     const double depth = std::max(m_mold.settings.floor, m_mold.settings.ceiling) + m_mold.settings.step;
     Eigen::AlignedBox3d deep = content.cavities;
     deep.extend(Vector3d(deep.min() - Vector3d(0, 0, depth)))
@@ -107,6 +104,11 @@ std::optional<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
         const ChannelWidths& widths = m_widths;
         const double tail = m_end.face - m_end.line;
         if (single()) {
+            const double half = std::max(spout().funnel, spout().diameter) / 2;
+            for (const Gate& gate : m_entries->front().gates)
+                for (const double way : {-half, half})
+                    content.cavities.extend(
+                        Vector3d(gate.tip.x() + m_layout.copies.front().offset.x() + way, 0, 0));
             content.spoutTop = content.cavities.max().y() + m_mold.settings.layout.spacing / 2 +
                                spoutLength(spout(), widths.gate, widths.straight()) + tail;
         } else {
@@ -114,30 +116,66 @@ std::optional<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
                 content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
                 // Runners reach beyond the outermost gates.
                 for (const CavityCopy& copy : m_layout.copies)
-                    for (const Gate& gate : m_gates[copy.kind])
-                        content.cavities.extend(Vector3d(m_kinds[copy.kind].cast.V(gate.point, 0) +
-                                                             copy.offset.x() +
-                                                             way * (widths.gate / 2 + widths.beside),
-                                                         0, 0));
+                    for (const Gate& gate : (*m_entries)[copy.kind].gates)
+                        content.cavities.extend(Vector3d(
+                            gate.tip.x() + copy.offset.x() + way * (widths.gate / 2 + widths.beside), 0, 0));
             }
             const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
             content.spoutTop =
                 std::max(top + spoutLength(spout(), widths.main, widths.straight()) + tail, top + wallY);
         }
     }
+    content.byHand = boxByHand();
     return blockAround(content, m_mold.settings, m_grid);
+}
+
+AlignedBox2d MoldBuilder::boxByHand() const {
+    const MoldSettings& settings = m_mold.settings;
+    AlignedBox2d box;
+    const auto extend = [&](const PlanShape& shape, const Vector2d& steel) {
+        for (const Vector2d& p : shape)
+            box.extend(AlignedBox2d(p - steel, p + steel));
+    };
+    for (const PlacedFeature& feature : settings.placed) {
+        const Vector2d steel = Vector2d::Constant(settings.leastSteel);
+        if (feature.kind == Placeable::Bolt && feature.number < settings.bolts.count)
+            extend(boltRoom(settings.bolts, feature.place), Vector2d::Constant(settings.bolts.wall));
+        else if (feature.kind == Placeable::Key && feature.number < settings.keys.count)
+            extend(keyRoom(settings.keys, m_mold.directions, feature.number, feature.place), steel);
+        else if (feature.kind == Placeable::Slit && feature.number < settings.slits.count)
+            extend(slitShape(settings.slits, {0, feature.place.y()}), {0, steel.y()});
+    }
+    return box;
+}
+
+/// What stands by hand comes before all that finds its own place.
+void MoldBuilder::addByHand(Obstacles& obstacles, const Block& block) const {
+    const MoldSettings& settings = m_mold.settings;
+    for (const PlacedFeature& feature : settings.placed) {
+        if (feature.kind == Placeable::Bolt && feature.number < settings.bolts.count)
+            obstacles.push_back(boltRoom(settings.bolts, feature.place));
+        else if (feature.kind == Placeable::Key && feature.number < settings.keys.count)
+            obstacles.push_back(keyRoom(settings.keys, m_mold.directions, feature.number, feature.place));
+        else if (feature.kind == Placeable::Slit && feature.number < settings.slits.count)
+            obstacles.push_back(slitShape(settings.slits, onFace(feature.place, block)));
+    }
 }
 
 bool MoldBuilder::placeOn(const Block& block) {
     const MoldSettings& settings = m_mold.settings;
+    const auto wishes = [&](Placeable kind, int count) { return wishesFor(settings.placed, kind, count); };
     Obstacles obstacles = planObstacles(block);
-    m_boltPlaces = boltPlaces(settings.bolts, block, obstacles);
+    addByHand(obstacles, block);
+    m_boltPlaces =
+        boltPlaces(settings.bolts, block, obstacles, wishes(Placeable::Bolt, settings.bolts.count));
     for (const Vector2d& place : m_boltPlaces)
         obstacles.push_back(boltOutline(settings.bolts, place, m_grid));
-    m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel);
+    m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel,
+                              wishes(Placeable::Slit, settings.slits.count));
     for (const Vector2d& place : m_slitPlaces)
         obstacles.push_back(slitShape(settings.slits, place));
-    m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel);
+    m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel,
+                            wishes(Placeable::Key, settings.keys.count));
     return static_cast<int>(m_boltPlaces.size()) == settings.bolts.count &&
            static_cast<int>(m_slitPlaces.size()) == settings.slits.count &&
            static_cast<int>(m_keyPlaces.size()) == settings.keys.count;

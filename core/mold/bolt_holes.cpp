@@ -34,23 +34,29 @@ IndexedMesh tube(const PlanShape& outline, double low, double high) {
 
 } // namespace
 
-std::vector<Vector2d> boltPlaces(const BoltSettings& bolts, const Block& block, const Obstacles& obstacles) {
+std::vector<Vector2d> boltPlaces(const BoltSettings& bolts, const Block& block, const Obstacles& obstacles,
+                                 const Wishes& wishes) {
     std::vector<Vector2d> places;
     Obstacles taken = obstacles;
-    const double radius = cornerRadius(bolts);
-    for (const Vector2d& wish : placesRound(block, bolts.count)) {
+    const std::vector<Vector2d> round = placesRound(block, static_cast<int>(wishes.size()));
+    for (std::size_t i = 0; i < round.size(); ++i) {
         const std::optional<Vector2d> place =
-            nearestFree(wish, radius, block, taken, {bolts.wall, bolts.clear});
+            wishes[i] ? wishes[i]
+                      : nearestFree(round[i], cornerRadius(bolts), block, taken, {bolts.wall, bolts.clear});
         if (!place)
             break;
         places.push_back(*place);
-        taken.push_back(planCircle(*place, radius, circleCorners));
+        taken.push_back(boltRoom(bolts, *place));
     }
     return places;
 }
 
+PlanShape boltRoom(const BoltSettings& bolts, const Vector2d& place) {
+    return planCircle(place, cornerRadius(bolts), circleCorners);
+}
+
 PlanShape boltOutline(const BoltSettings& bolts, const Vector2d& place, double grid) {
-    PlanShape outline = planCircle(place, cornerRadius(bolts), circleCorners);
+    PlanShape outline = boltRoom(bolts, place);
     for (Vector2d& p : outline)
         p = {onGrid(p.x(), grid), onGrid(p.y(), grid)};
     return outline;

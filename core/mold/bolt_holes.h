@@ -7,10 +7,14 @@
 
 namespace moldwright {
 
-/// Places for the bolts as near to the block's corners, then to the middles of its sides, as their walls
-/// allow; fewer than asked for where there is no room: then the block must grow.
+/// Places for `wishes.size()` bolts: those by hand, the others as near to the block's corners, then to the
+/// middles of its sides, as their walls allow. Fewer where there is no room: then the block must grow.
+/// Obstacles hold what stands there by hand.
 [[nodiscard]] std::vector<Eigen::Vector2d> boltPlaces(const BoltSettings& bolts, const Block& block,
-                                                      const Obstacles& obstacles);
+                                                      const Obstacles& obstacles, const Wishes& wishes);
+
+/// The area that a hole takes, seen along the normal.
+[[nodiscard]] PlanShape boltRoom(const BoltSettings& bolts, const Eigen::Vector2d& place);
 
 /// The outline of a hole: corners on the grid, round a circle of the bolt's diameter.
 [[nodiscard]] PlanShape boltOutline(const BoltSettings& bolts, const Eigen::Vector2d& place, double grid);

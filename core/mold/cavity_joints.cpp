@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/cavity_joints.h"
 
-#include "castability/parting_curves.h"
 #include "features/joined_channel.h"
 #include "mesh/measures.h"
 #include "mold/free_place.h"
@@ -34,28 +33,28 @@ IndexedMesh inOne(const std::vector<IndexedMesh>& bodies) {
 
 class Joiner {
 public:
-    Joiner(const CavityKind& kind, const JointPlan& plan) : m_kind(kind), m_plan(plan) {
-        const auto curves = partingCurves(kind.cast, kind.labels);
-        for (const PartingCurve& curve : *curves) {
-            PlanShape outline;
-            for (const int v : curve)
-                outline.emplace_back(kind.cast.V.row(v).head<2>().transpose());
-            m_outlines.push_back(std::move(outline));
-        }
+    Joiner(const CavityKind& kind, const CavityFeatures& features, const JointPlan& plan)
+        : m_kind(kind), m_features(features), m_plan(plan) {}
+
+    /// All of it, moved a little for each attempt.
+    Result<JoinedCavity> planned(int attempt) {
+        m_nudge = attempt;
+        m_result = {};
+        for (std::size_t i = 0; i < m_features.gates.size(); ++i)
+            if (Result<void> done = addGate(m_features.gates[i], static_cast<int>(i)); !done)
+                return std::unexpected(done.error());
+        for (const VentedTrap& trap : m_features.traps)
+            if (Result<void> done = vent(trap); !done)
+                return std::unexpected(done.error());
+        for (const HalfBore& bore : m_features.bores)
+            addBore(bore);
+        return m_result;
     }
 
-    Result<JoinedCavity> join(const CavityFeatures& features) {
-        m_bores = &features.bores;
+    Result<JoinedCavity> joined() {
         for (int attempt = 0; attempt < attempts; ++attempt) {
-            m_nudge = attempt;
-            m_result = {};
-            for (const Gate& gate : features.gates)
-                if (Result<void> done = addGate(gate); !done)
-                    return std::unexpected(done.error());
-            for (const AirTrap& trap : features.traps)
-                vent(trap);
-            for (const HalfBore& bore : features.bores)
-                addBore(bore);
+            if (Result<JoinedCavity> cavity = planned(attempt); !cavity)
+                return cavity;
             if (joinAll())
                 return std::move(m_result);
         }
@@ -65,7 +64,7 @@ public:
             MW_TEXT("Mold", "The channels could not be joined to the cavity soundly at any of {0} nearby "
                             "places. Another pour direction or gate width may help."),
             {std::to_string(attempts)}};
-        for (const Gate& gate : features.gates)
+        for (const Gate& gate : m_features.gates)
             error.places.push_back(m_kind.cast.point(gate.point));
         return std::unexpected(error);
     }
@@ -75,26 +74,26 @@ private:
         return value + width * 0.011 * (m_nudge % 2 == 0 ? m_nudge : -m_nudge);
     }
 
-    Result<void> addGate(const Gate& gate) {
+    Result<void> addGate(const Gate& gate, int number) {
         const double width = m_plan.widths.gate * (1 - 0.013 * m_nudge);
-        const Vector3d tip = m_kind.cast.point(gate.point);
+        const Vector2d& tip = gate.tip;
         const double axis = nudged(tip.x(), width);
         const double bottom = tip.y() - gate.drop * (1 + 0.03 * m_nudge);
-        PlanShape shape = m_plan.spout
-                              ? spoutShape(axis, bottom, width, tip.y() + m_plan.settings->layout.spacing / 2,
-                                           m_plan.line, m_plan.widths.straight(), m_plan.settings->spout)
-                              : planRectangle({axis - width / 2, bottom}, {axis + width / 2, m_plan.line});
-        if (!wayIsFree(shape, tip.y() + 0.5)) {
+        PlanShape shape =
+            m_plan.spout ? spoutShape(axis, bottom, width, gate.exit + m_plan.settings->layout.spacing / 2,
+                                      m_plan.line, m_plan.widths.straight(), m_plan.settings->spout)
+                         : planRectangle({axis - width / 2, bottom}, {axis + width / 2, m_plan.line});
+        if (!wayIsFree(shape, gate.exit + 0.5)) {
             Error error;
             error.code = ErrorCode::Impossible;
             error.message.text =
                 MW_TEXT("Mold", "The way from a cavity's gate to the runner passes through another "
                                 "part of the cavity. Choose another pour direction.");
-            error.places.push_back(tip);
+            error.places.emplace_back(tip.x(), tip.y(), 0);
             return std::unexpected(std::move(error));
         }
         return add(std::move(shape), m_plan.spout ? m_plan.settings->spout.diameter : width,
-                   m_plan.spout ? "Spout" : "Gate", false);
+                   {{}, m_plan.spout ? "Spout" : "Gate", false, number, tip});
     }
 
     /// Whether a channel keeps clear of all outlines from `above` on.
@@ -105,44 +104,86 @@ private:
         rest.erase(std::unique(rest.begin(), rest.end()), rest.end());
         return rest.size() < 3 ||
                std::none_of(
-                   m_outlines.begin(), m_outlines.end(),
-                   [&](const PlanShape& outline) { return planDistance(rest, outline) == 0; });
+                   m_kind.outlines.begin(), m_kind.outlines.end(),
+                   [&](const CavityOutline& outline) { return planDistance(rest, outline.shape) == 0; });
     }
 
-    Result<void> add(PlanShape shape, double width, const char* name, bool isVent) {
+    /// `stub`: what is known of it but its prism.
+    Result<void> add(PlanShape shape, double width, Stub stub) {
         const std::size_t top = shape.size() / 2;
         Result<DraftedPrism> prism =
             m_plan.rules.prism(std::move(shape), heightOverWidth * width, {{top, m_plan.slope}});
         if (!prism)
             return std::unexpected(prism.error());
-        m_result.stubs.push_back({*std::move(prism), name, isVent});
+        stub.prism = *std::move(prism);
+        m_result.stubs.push_back(std::move(stub));
         return {};
     }
 
     [[nodiscard]] bool standing() const { return m_plan.up.z() == 0; }
 
-    void vent(const AirTrap& trap) {
-        if (!(standing() && ventInPlane(trap)) && !ventThrough(trap))
-            m_result.remaining.push_back({m_kind.cast.point(trap.point), trap.volume});
+    Result<void> vent(const VentedTrap& trap) {
+        // In the plane it may leave some air only where a hand put it and there is no other way.
+        if ((standing() && ventInPlane(trap, false)) || ventThrough(trap) ||
+            (standing() && trap.byHand && ventInPlane(trap, true)))
+            return {};
+        if (!trap.byHand) {
+            m_result.remaining.push_back({trap.top, trap.trap.volume});
+            return {};
+        }
+        Error error;
+        error.code = ErrorCode::Impossible;
+        error.message = {MW_TEXT("Mold",
+                                 "Vent {0} has no way out of the cavity there: it needs room for a foot "
+                                 "wholly inside the cast, and nothing in its way."),
+                         {std::to_string(trap.number + 1)}};
+        error.places.push_back(trap.top);
+        return std::unexpected(std::move(error));
     }
 
-    /// From the trap's highest point of the parting line straight up, where that leaves little air.
-    bool ventInPlane(const AirTrap& trap) {
-        const VentSettings& vents = m_plan.settings->vents;
+    /// Where a vent in the plane begins: the trap's highest point of the parting line, or by hand the line's
+    /// highest over the place.
+    [[nodiscard]] std::optional<Vector2d> topInPlane(const VentedTrap& vented) const {
         const IndexedMesh& cast = m_kind.cast;
-        int best = -1;
-        for (const int v : trap.points)
-            if (cast.V(v, 2) == 0 && (best < 0 || cast.V(v, 1) > cast.V(best, 1)))
-                best = v;
-        if (best < 0 || airAbove(cast, Vector3d::UnitY(), trap, cast.V(best, 1)) > vents.smallestTrap)
+        if (vented.byHand)
+            return topOver(m_kind.outlines, vented.top.x(), vented.trap.points);
+        std::optional<Vector2d> best;
+        for (const int v : vented.trap.points)
+            if (cast.V(v, 2) == 0 && (!best || cast.V(v, 1) > best->y()))
+                best = cast.V.row(v).head<2>().transpose();
+        return best;
+    }
+
+    /// Where a channel that begins at a place by hand has left the outline, which may slant there.
+    [[nodiscard]] double exitInPlane(const Vector2d& tip, double width) const {
+        constexpr double steepest = 1.5; // widths
+        double exit = tip.y();
+        for (const CavityOutline& outline : m_kind.outlines)
+            exit = std::max(exit, exitOf(outline.shape, tip.x(), width, tip.y()));
+        return std::min(exit, tip.y() + steepest * width);
+    }
+
+    /// From there straight up; `withAir`: also where that leaves more than may stay.
+    bool ventInPlane(const VentedTrap& vented, bool withAir) {
+        const VentSettings& vents = m_plan.settings->vents;
+        const std::optional<Vector2d> tip = topInPlane(vented);
+        if (!tip)
+            return false;
+        const double left = airAbove(m_kind.cast, Vector3d::UnitY(), vented.trap, tip->y());
+        if (left > vents.smallestTrap && !withAir)
             return false;
         const double width = vents.diameter * (1 + 0.02 * m_nudge);
-        const double axis = nudged(cast.V(best, 0), width);
+        const double axis = nudged(tip->x(), width);
         PlanShape shape =
-            planRectangle({axis - width / 2, cast.V(best, 1) - width}, {axis + width / 2, m_plan.line});
-        if (!wayIsFree(shape, cast.V(best, 1) + 0.3) || !keepsClear(shape))
+            planRectangle({axis - width / 2, tip->y() - width}, {axis + width / 2, m_plan.line});
+        const double exit = vented.byHand ? exitInPlane(*tip, width) : tip->y();
+        if (!wayIsFree(shape, exit + 0.3) || !(vented.byHand || keepsClear(shape)))
             return false;
-        return add(std::move(shape), width, "Vent", true).has_value();
+        if (!add(std::move(shape), width, {{}, "Vent", true, vented.number, *tip}))
+            return false;
+        if (left > vents.smallestTrap)
+            m_result.remaining.push_back({m_kind.cast.point(vented.trap.point), left});
+        return true;
     }
 
     /// Of the channels there are so far.
@@ -152,14 +193,14 @@ private:
         return std::all_of(m_result.stubs.begin(), m_result.stubs.end(),
                            [&](const Stub& stub) { return clear(stub.prism.base); }) &&
                std::all_of(m_result.vents.begin(), m_result.vents.end(),
-                           [&](const ThroughVent& other) { return clear(other.body.base); }) &&
-               std::all_of(m_bores->begin(), m_bores->end(), [&](const HalfBore& bore) {
+                           [&](const CavityVent& other) { return clear(other.body.base); }) &&
+               std::all_of(m_features.bores.begin(), m_features.bores.end(), [&](const HalfBore& bore) {
                    return clear(planCircle(bore.axis, bore.stations.back().radius, circleCorners));
                });
     }
 
-    bool ventThrough(const AirTrap& trap) {
-        const Vector3d top = m_kind.cast.point(trap.point);
+    bool ventThrough(const VentedTrap& vented) {
+        const Vector3d& top = vented.top;
         const int side = top.z() >= 0 ? 1 : 2;
         ThroughVentRequest request;
         request.diameter = m_plan.settings->vents.diameter * (1 + 0.02 * m_nudge);
@@ -169,12 +210,12 @@ private:
         request.grid = m_plan.rules.grid;
         std::optional<ThroughVent> found =
             throughVent(m_kind.cast, m_kind.labels, m_plan.rules.directions, side, top, m_plan.up, request);
-        if (!found || !keepsClear(found->body.base))
+        if (!found || !(vented.byHand || keepsClear(found->body.base)))
             return false;
-        const double left = airAbove(m_kind.cast, m_plan.up, trap, found->reach);
+        const double left = airAbove(m_kind.cast, m_plan.up, vented.trap, found->reach);
         if (left > m_plan.settings->vents.smallestTrap)
             m_result.remaining.push_back({top, left});
-        m_result.vents.push_back(*std::move(found));
+        m_result.vents.push_back({*std::move(found), vented.number, top.head<2>()});
         return true;
     }
 
@@ -199,7 +240,7 @@ private:
             const std::vector<Vector3d> points = openingPoints(stub.prism);
             request.openings.insert(request.openings.end(), points.begin(), points.end());
         }
-        for (const ThroughVent& vent : m_result.vents)
+        for (const CavityVent& vent : m_result.vents)
             bodies.push_back(vent.solid());
         // They keep clear of each other: one joint for all.
         const std::optional<IndexedMesh> joined =
@@ -232,18 +273,22 @@ private:
     }
 
     const CavityKind& m_kind;
+    const CavityFeatures& m_features;
     const JointPlan& m_plan;
-    std::vector<PlanShape> m_outlines;
-    const std::vector<HalfBore>* m_bores = nullptr;
     int m_nudge = 0;
     JoinedCavity m_result;
 };
 
 } // namespace
 
+Result<JoinedCavity> plannedCavity(const CavityKind& kind, const CavityFeatures& features,
+                                   const JointPlan& plan) {
+    return Joiner(kind, features, plan).planned(0);
+}
+
 Result<JoinedCavity> joinedCavity(const CavityKind& kind, const CavityFeatures& features,
                                   const JointPlan& plan) {
-    return Joiner(kind, plan).join(features);
+    return Joiner(kind, features, plan).joined();
 }
 
 } // namespace moldwright

@@ -17,11 +17,26 @@ struct RemainingAir {
     double volume = 0;                               ///< mm³
 };
 
+/// A trap that is to be vented, and the place of the cavity from which the air shall leave.
+struct VentedTrap {
+    AirTrap trap;
+    Eigen::Vector3d top =
+        Eigen::Vector3d::Zero(); ///< mm, the kind's coordinates: its highest point as a rule
+    int number = 0;              ///< among those of all kinds
+    bool byHand = false;         ///< the top was chosen: it stands there or nowhere
+};
+
+/// A vent through a half.
+struct CavityVent : ThroughVent {
+    int number = 0;                                ///< of its trap
+    Eigen::Vector2d top = Eigen::Vector2d::Zero(); ///< the trap's, mm
+};
+
 /// One kind of cavity with everything that crosses its wall.
 struct JoinedCavity {
     IndexedMesh solid; ///< cast, stubs and vents in one; open where stubs go on
     std::vector<Stub> stubs;
-    std::vector<ThroughVent> vents;
+    std::vector<CavityVent> vents;
     std::vector<RemainingAir> remaining;
     double stubVolume = 0;       ///< mm³ by which the closed solid is larger than the cast
     IndexedMesh hollow;          ///< the solid with its bores: what the halves are cut by; open like it
@@ -33,7 +48,7 @@ struct JoinedCavity {
 /// What crosses one kind's wall.
 struct CavityFeatures {
     std::vector<Gate> gates;
-    std::vector<AirTrap> traps;  ///< to be vented
+    std::vector<VentedTrap> traps;
     std::vector<HalfBore> bores; ///< their last section is left to the joint: the block's face
 };
 
@@ -50,9 +65,14 @@ struct JointPlan {
     std::array<double, 2> blockEnd{};              ///< distance of the block's outer faces from the plane, mm
 };
 
+/// Gates, vents and bores of one kind as they will be joined, without the joint: the result's solids are
+/// empty. Errors: Impossible (with the place) where a way is not free or a vent by hand cannot stand there.
+[[nodiscard]] Result<JoinedCavity> plannedCavity(const CavityKind& kind, const CavityFeatures& features,
+                                                 const JointPlan& plan);
+
 /// Gates, vents and bores of one kind, joined to it exactly. Where rounding spoils a joint the channel is
-/// moved by hundredths of its width and joined again. Errors: Impossible (with the place) when that never
-/// helps, or a way to the runner is not free.
+/// moved by hundredths of its width and joined again. Errors: as plannedCavity(), and Impossible when that
+/// never helps.
 [[nodiscard]] Result<JoinedCavity> joinedCavity(const CavityKind& kind, const CavityFeatures& features,
                                                 const JointPlan& plan);
 

@@ -20,6 +20,7 @@ constexpr double guestBelowHost = 0.85; ///< so that a wall stays above a guest'
 struct RunnerPlan {
     double from = 0;
     double to = 0;
+    double inner = 0; ///< where its stubs nearest to the main runner end
     bool left = true; ///< of the main runner
 };
 
@@ -164,7 +165,7 @@ private:
     }
 
     [[nodiscard]] std::optional<RunnerPlan> planned(std::size_t row, bool left) const {
-        RunnerPlan plan{1e300, -1e300, left};
+        RunnerPlan plan{1e300, -1e300, 0, left};
         for (const CavityCopy& copy : m_layout.copies) {
             if (copy.row != static_cast<int>(row) || (copy.column < m_layout.mainColumn) != left)
                 continue;
@@ -176,6 +177,7 @@ private:
         }
         if (plan.from > plan.to)
             return std::nullopt;
+        plan.inner = left ? plan.to - m_widths.beside : plan.from + m_widths.beside;
         (left ? plan.to : plan.from) = m_layout.mainAxis + (left ? -1 : 1) * m_widths.main / 2;
         return plan;
     }
@@ -184,6 +186,11 @@ private:
         const std::optional<RunnerPlan> plan = planned(row, left);
         if (!plan)
             return {};
+        if (left ? plan->to <= plan->inner : plan->from >= plan->inner)
+            return failure(ErrorCode::Impossible,
+                           MW_TEXT("Mold", "At x = {0} mm the spout has no room between the gates beside it. "
+                                           "Move it away from them."),
+                           {readable(m_layout.mainAxis)});
         const double axis = m_layout.runnerAxes[row];
         const double half = m_widths.runner / 2;
         // The main runner's walls: 1 looks right, the last one left.

@@ -48,6 +48,8 @@ struct Stub {
     DraftedPrism prism;
     std::string name;
     bool vent = false;
+    int number = 0;                                ///< among gates or vents, from 0
+    Eigen::Vector2d tip = Eigen::Vector2d::Zero(); ///< where its axis meets the parting line, mm
 };
 
 /// A channel of the mold and what opens into it.

@@ -46,7 +46,7 @@ void MoldBuilder::listFeatures() {
 
 void MoldBuilder::listCavity(const CavityCopy& copy) {
     std::vector<MoldFeature>& features = m_mold.features;
-    const CavityKind& kind = m_kinds[copy.kind];
+    const CavityKind& kind = kinds()[copy.kind];
     const JoinedCavity& joined = m_joined[copy.kind];
     const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
     features.push_back({"cavity",
@@ -54,16 +54,7 @@ void MoldBuilder::listCavity(const CavityCopy& copy) {
                         by,
                         {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}},
                         {}});
-    const char* filledBy = single() ? "spout" : "gate";
-    for (const Stub& stub : joined.stubs)
-        features.push_back(
-            {stub.vent ? "vent" : filledBy, stub.name, middleOf(stub.prism) + by, sizesOf(stub.prism), {}});
-    for (const ThroughVent& vent : joined.vents)
-        features.push_back({"vent",
-                            "Vent through half " + std::to_string(vent.side),
-                            vent.mouth + by,
-                            {{"diameter", m_mold.settings.vents.diameter}, {"side", vent.side}},
-                            {}});
+    listStubs(copy);
     listBores(copy);
     for (const RemainingAir& air : joined.remaining) {
         m_mold.trappedAir += air.volume;
@@ -75,40 +66,91 @@ void MoldBuilder::listCavity(const CavityCopy& copy) {
     }
 }
 
+void MoldBuilder::addPlaceable(MoldFeature feature, const PlacedFeature& stands, PlanShape outline,
+                               const Vector2d& origin) {
+    feature.stands = stands;
+    feature.byHand = isByHand(stands.kind, stands.number);
+    feature.outline = std::move(outline);
+    feature.origin = origin;
+    m_mold.features.push_back(std::move(feature));
+}
+
+void MoldBuilder::listStubs(const CavityCopy& copy) {
+    const JoinedCavity& joined = m_joined[copy.kind];
+    const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
+    for (const Stub& stub : joined.stubs) {
+        MoldFeature feature{stub.vent  ? "vent"
+                            : single() ? "spout"
+                                       : "gate",
+                            stub.name,
+                            middleOf(stub.prism) + by,
+                            sizesOf(stub.prism),
+                            {}};
+        if (stub.vent)
+            addPlaceable(std::move(feature), {Placeable::Vent, stub.number, stub.tip},
+                         movedPlan(stub.prism.base, copy.offset), copy.offset);
+        else if (single())
+            addPlaceable(std::move(feature),
+                         {Placeable::Spout, stub.number, {stub.tip.x() + copy.offset.x(), m_end.face}},
+                         movedPlan(stub.prism.base, copy.offset));
+        else
+            m_mold.features.push_back(std::move(feature));
+    }
+    for (const CavityVent& vent : joined.vents)
+        addPlaceable({"vent",
+                      "Vent through half " + std::to_string(vent.side),
+                      vent.mouth + by,
+                      {{"diameter", m_mold.settings.vents.diameter}, {"side", vent.side}},
+                      {}},
+                     {Placeable::Vent, vent.number, vent.top}, movedPlan(vent.body.base, copy.offset),
+                     copy.offset);
+}
+
 void MoldBuilder::listChannels() {
-    for (const Channel& channel : m_net.channels)
-        m_mold.features.push_back({channel.name == "Spout" ? "spout" : "runner",
-                                   channel.name,
-                                   middleOf(channel.prism),
-                                   sizesOf(channel.prism),
-                                   {}});
+    for (const Channel& channel : m_net.channels) {
+        MoldFeature feature{channel.name == "Spout" ? "spout" : "runner",
+                            channel.name,
+                            middleOf(channel.prism),
+                            sizesOf(channel.prism),
+                            {}};
+        if (channel.name == "Spout")
+            addPlaceable(std::move(feature), {Placeable::Spout, 0, {m_layout.mainAxis, m_end.face}},
+                         channel.prism.base);
+        else
+            m_mold.features.push_back(std::move(feature));
+    }
     if (inPlane())
         m_mold.pathLengths = m_net.pathLengths;
 }
 
 void MoldBuilder::listRegistration() {
     const MoldSettings& settings = m_mold.settings;
-    for (const RegistrationKey& key : m_keys) {
+    for (std::size_t i = 0; i < m_keys.size(); ++i) {
+        const RegistrationKey& key = m_keys[i];
         const bool raised = key.leanDegrees > settings.keys.draft + 0.5;
-        m_mold.features.push_back({"key",
-                                   "Key",
-                                   {key.place.x(), key.place.y(), 0},
-                                   {{"diameter", key.diameter},
-                                    {"height", settings.keys.height},
-                                    {"clearance", settings.keys.clearance},
-                                    {"lean_deg", key.leanDegrees}},
-                                   raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
-                                                "°: with less it would hold when one half is opened first."
-                                          : ""});
+        addPlaceable({"key",
+                      "Key",
+                      {key.place.x(), key.place.y(), 0},
+                      {{"diameter", key.diameter},
+                       {"height", settings.keys.height},
+                       {"clearance", settings.keys.clearance},
+                       {"lean_deg", key.leanDegrees}},
+                      raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
+                                   "°: with less it would hold when one half is opened first."
+                             : ""},
+                     {Placeable::Key, static_cast<int>(i), key.place}, key.socket.base);
     }
-    for (const WedgeSlit& slit : m_slits)
-        m_mold.features.push_back({"slit",
-                                   "Wedge slit",
-                                   {slit.place.x(), slit.place.y(), 0},
-                                   {{"depth", settings.slits.depth},
-                                    {"width", settings.slits.width},
-                                    {"height", settings.slits.height}},
-                                   {}});
+    for (std::size_t i = 0; i < m_slits.size(); ++i) {
+        const WedgeSlit& slit = m_slits[i];
+        addPlaceable({"slit",
+                      "Wedge slit",
+                      {slit.place.x(), slit.place.y(), 0},
+                      {{"depth", settings.slits.depth},
+                       {"width", settings.slits.width},
+                       {"height", settings.slits.height}},
+                      {}},
+                     {Placeable::Slit, static_cast<int>(i), slit.place}, slit.prism.base);
+    }
 }
 
 void MoldBuilder::listBores(const CavityCopy& copy) {
@@ -120,7 +162,8 @@ void MoldBuilder::listBores(const CavityCopy& copy) {
         const std::vector<std::pair<std::string, double>> common = {{"side", bore.side}, {"length", length}};
         MoldFeature feature{
             "ejector", "Ejector hole in half " + std::to_string(bore.side), tip + by, common, {}};
-        if (bore.name == "Spout") {
+        const bool fills = bore.name == "Spout";
+        if (fills) {
             feature.kind = "spout";
             feature.name = "Spout through half 1";
             feature.numbers.emplace_back("neck", spout().neck);
@@ -132,18 +175,24 @@ void MoldBuilder::listBores(const CavityCopy& copy) {
         } else {
             feature.numbers.emplace_back("diameter", m_mold.settings.ejectors.diameter);
         }
-        m_mold.features.push_back(std::move(feature));
+        addPlaceable(
+            std::move(feature), {fills ? Placeable::Spout : Placeable::Ejector, bore.number, bore.axis},
+            planCircle(bore.axis + copy.offset,
+                       fills ? spout().diameter / 2 : m_mold.settings.ejectors.diameter / 2, circleCorners),
+            copy.offset);
     }
 }
 
 void MoldBuilder::listBolts() {
-    for (const Vector2d& place : m_boltPlaces)
-        m_mold.features.push_back(
-            {"bolt",
-             "Bolt hole",
-             {place.x(), place.y(), 0},
-             {{"diameter", m_mold.settings.bolts.diameter}, {"length", m_block.sizes().z()}},
-             {}});
+    for (std::size_t i = 0; i < m_boltPlaces.size(); ++i) {
+        const Vector2d& place = m_boltPlaces[i];
+        addPlaceable({"bolt",
+                      "Bolt hole",
+                      {place.x(), place.y(), 0},
+                      {{"diameter", m_mold.settings.bolts.diameter}, {"length", m_block.sizes().z()}},
+                      {}},
+                     {Placeable::Bolt, static_cast<int>(i), place}, m_bolts[i]);
+    }
 }
 
 } // namespace moldwright

@@ -36,6 +36,13 @@ std::optional<Vector2d> nearestFree(const Vector2d& wish, double radius, const B
     return std::nullopt;
 }
 
+Wishes wishesFor(const PlacedFeatures& placed, Placeable kind, int count) {
+    Wishes wishes;
+    for (int number = 0; number < count; ++number)
+        wishes.push_back(placeByHand(placed, kind, number));
+    return wishes;
+}
+
 std::vector<Vector2d> placesRound(const Block& block, int count) {
     const Vector2d low = block.min().head<2>();
     const Vector2d high = block.max().head<2>();

@@ -27,6 +27,12 @@ struct Clearances {
                                                          const Block& block, const Obstacles& obstacles,
                                                          const Clearances& steel);
 
+/// Where features of one kind were put by hand, in their order; none: it finds its own place.
+using Wishes = std::vector<std::optional<Eigen::Vector2d>>;
+
+/// The wishes for `count` features of a kind.
+[[nodiscard]] Wishes wishesFor(const PlacedFeatures& placed, Placeable kind, int count);
+
 /// Where features round the block are wanted: its corners, alternately opposite, then the middles of its
 /// sides; eight at most.
 [[nodiscard]] std::vector<Eigen::Vector2d> placesRound(const Block& block, int count);

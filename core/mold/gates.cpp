@@ -5,8 +5,10 @@
 #include "mesh/measures.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace moldwright {
 
@@ -19,17 +21,35 @@ Vector2d plan(const IndexedMesh& mesh, int v) {
     return mesh.V.row(v).head<2>().transpose();
 }
 
-/// The least way down at which both corners of the channel's end lie inside; at most its width.
-double dropInside(const PlanShape& outline, const Vector2d& tip, const Vector2d& up, double width) {
-    const Vector2d across(up.y(), -up.x());
+/// The least way down at which both corners of the channel's end lie inside; none where that is more than
+/// its width.
+std::optional<double> dropInside(const PlanShape& outline, const Vector2d& tip, double width) {
     constexpr int steps = 40;
     for (int step = 1; step < steps; ++step) {
         const double drop = width * step / steps;
-        const Vector2d end = tip - drop * up;
-        if (insidePlan(outline, end + across * width / 2) && insidePlan(outline, end - across * width / 2))
+        const Vector2d end = tip - Vector2d(0, drop);
+        const Vector2d half(width / 2, 0);
+        if (insidePlan(outline, end + half) && insidePlan(outline, end - half))
             return drop + width / 10;
     }
-    return width;
+    return std::nullopt;
+}
+
+/// Where a curve is highest over x: the point between its corners, and the corner nearest to it.
+std::optional<std::pair<Vector2d, int>> highestOver(const CavityOutline& outline, double x) {
+    std::optional<std::pair<Vector2d, int>> highest;
+    for (std::size_t k = 0; k < outline.shape.size(); ++k) {
+        const std::size_t next = (k + 1) % outline.shape.size();
+        const Vector2d& a = outline.shape[k];
+        const Vector2d& b = outline.shape[next];
+        if ((a.x() > x) == (b.x() > x))
+            continue;
+        const double t = (x - a.x()) / (b.x() - a.x());
+        const Vector2d at(x, a.y() + t * (b.y() - a.y()));
+        if (!highest || at.y() > highest->first.y())
+            highest = {at, outline.points[t < 0.5 ? k : next]};
+    }
+    return highest;
 }
 
 /// Component of each point.
@@ -62,27 +82,105 @@ int blockedGates(const IndexedMesh& cast, const std::vector<Gate>& gates, double
 
 } // namespace
 
-std::vector<Gate> gatesOf(const IndexedMesh& cast, const SideLabels& labels, const Vector2d& up,
-                          double width) {
-    const std::vector<int> component = componentOfPoints(cast);
-    std::map<int, Gate> highest;
+std::vector<CavityOutline> outlinesOf(const IndexedMesh& cast, const SideLabels& labels) {
     const auto curves = partingCurves(cast, labels);
-    for (const PartingCurve& curve : *curves)
-        for (const int v : curve) {
-            Gate& gate = highest[component[static_cast<std::size_t>(v)]];
-            if (gate.point >= 0 && plan(cast, v).dot(up) <= plan(cast, gate.point).dot(up))
-                continue;
-            gate.point = v;
-            gate.outline.clear();
-            for (const int w : curve)
-                gate.outline.push_back(plan(cast, w));
-        }
+    if (!curves)
+        return {};
+    const std::vector<int> component = componentOfPoints(cast);
+    std::vector<CavityOutline> outlines;
+    for (const PartingCurve& curve : *curves) {
+        CavityOutline outline{{}, curve, component[static_cast<std::size_t>(curve.front())]};
+        for (const int v : curve)
+            outline.shape.push_back(plan(cast, v));
+        outlines.push_back(std::move(outline));
+    }
+    return outlines;
+}
+
+std::vector<Gate> gatesOf(const std::vector<CavityOutline>& outlines, double width) {
+    std::map<int, Gate> highest;
+    for (const CavityOutline& outline : outlines) {
+        Gate& gate = highest[outline.solid];
+        for (std::size_t k = 0; k < outline.shape.size(); ++k)
+            if (gate.point < 0 || outline.shape[k].y() > gate.tip.y()) {
+                gate.point = outline.points[k];
+                gate.tip = outline.shape[k];
+                gate.outline = outline.shape;
+            }
+    }
     std::vector<Gate> gates;
     for (auto& [number, gate] : highest) {
-        gate.drop = dropInside(gate.outline, plan(cast, gate.point), up, width);
+        gate.drop = dropInside(gate.outline, gate.tip, width).value_or(width);
+        gate.exit = gate.tip.y();
         gates.push_back(std::move(gate));
     }
     return gates;
+}
+
+Result<Gate> gateAt(const std::vector<CavityOutline>& outlines, int gate, double x, double width) {
+    std::map<int, std::vector<const CavityOutline*>> solids;
+    for (const CavityOutline& outline : outlines)
+        solids[outline.solid].push_back(&outline);
+    const auto& own = std::next(solids.begin(), gate)->second;
+    Gate found;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const CavityOutline* outline : own) {
+        for (const Vector2d& p : outline->shape) {
+            low = std::min(low, p.x());
+            high = std::max(high, p.x());
+        }
+        const auto over = highestOver(*outline, x);
+        if (over && (found.point < 0 || over->first.y() > found.tip.y()))
+            found = {over->second, over->first, outline->shape, 0, 0};
+    }
+    std::optional<double> drop;
+    if (found.point >= 0) {
+        drop = dropInside(found.outline, found.tip, width);
+        found.exit = exitOf(found.outline, x, width, found.tip.y());
+    }
+    constexpr double steepest = 1.5; // widths that a slanting outline may rise within the channel
+    if (!drop || found.exit - found.tip.y() > steepest * width)
+        return failure(ErrorCode::Impossible,
+                       MW_TEXT("Mold",
+                               "At x = {0} mm a spout {1} mm wide does not meet the cavity's parting "
+                               "line from above, which reaches from {2} to {3} mm. Move it inwards, or "
+                               "make its end narrower."),
+                       {readable(x), readable(width), readable(low), readable(high)});
+    found.drop = *drop;
+    return found;
+}
+
+double exitOf(const PlanShape& outline, double x, double width, double low) {
+    double highest = low;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vector2d& a = outline[k];
+        const Vector2d& b = outline[(k + 1) % outline.size()];
+        // The piece of the edge within the strip: its ends, and where the strip's sides cut it.
+        const double from = std::max(std::min(a.x(), b.x()), x - width / 2);
+        const double to = std::min(std::max(a.x(), b.x()), x + width / 2);
+        if (from > to)
+            continue;
+        const auto heightAt = [&](double at) {
+            return a.x() == b.x() ? std::max(a.y(), b.y())
+                                  : a.y() + (at - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+        };
+        highest = std::max({highest, heightAt(from), heightAt(to)});
+    }
+    return highest;
+}
+
+std::optional<Vector2d> topOver(const std::vector<CavityOutline>& outlines, double x,
+                                const std::vector<int>& points) {
+    std::optional<std::pair<Vector2d, int>> highest;
+    for (const CavityOutline& outline : outlines) {
+        const auto over = highestOver(outline, x);
+        if (over && (!highest || over->first.y() > highest->first.y()))
+            highest = over;
+    }
+    if (!highest || std::find(points.begin(), points.end(), highest->second) == points.end())
+        return std::nullopt;
+    return highest->first;
 }
 
 std::vector<AirTrap> trapsOf(const IndexedMesh& cast, const std::vector<int>& drains, const Vector3d& up,
@@ -110,7 +208,7 @@ int bestQuarterTurn(const IndexedMesh& cast, const SideLabels& labels, double wi
     std::pair<int, double> least{std::numeric_limits<int>::max(), 0};
     for (int quarters = 0; quarters < 4; ++quarters) {
         const IndexedMesh turned = quarterTurned(cast, quarters);
-        const std::vector<Gate> gates = gatesOf(turned, labels, Vector2d::UnitY(), width);
+        const std::vector<Gate> gates = gatesOf(outlinesOf(turned, labels), width);
         std::pair<int, double> cost{blockedGates(turned, gates, width), 0};
         for (const AirTrap& trap : trapsOf(turned, drainsOf(gates), Vector3d::UnitY(), smallestTrap))
             cost.second += trap.volume;

@@ -1,25 +1,50 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "base/result.h"
+#include "castability/mold_state.h"
 #include "features/air_traps.h"
+#include "features/plan_shape.h"
 #include "mesh/indexed_mesh.h"
-#include "mold/layout.h"
 
+#include <optional>
 #include <vector>
 
 namespace moldwright {
 
-/// Where a cavity is filled: the highest point of the parting line of one of its solids.
+/// A parting curve of a cavity, seen along the plane's normal.
+struct CavityOutline {
+    PlanShape shape;
+    std::vector<int> points; ///< of the cast, in the shape's order
+    int solid = 0;           ///< the piece of the cast that it belongs to
+};
+/// All of them, in the order of their smallest points; none where curves touch themselves.
+[[nodiscard]] std::vector<CavityOutline> outlinesOf(const IndexedMesh& cast, const SideLabels& labels);
+
+/// Where a cavity is filled from above (+y): a place on the parting line of one of its solids.
 struct Gate {
-    int point = -1;    ///< of the kind's cast
-    PlanShape outline; ///< the parting curve that the point lies on
-    double drop = 0;   ///< mm below the point at which a channel as wide as asked for lies inside the outline
+    int point = -1;                                ///< of the cast: the one at the tip, or the nearest
+    Eigen::Vector2d tip = Eigen::Vector2d::Zero(); ///< where its axis meets the outline, mm
+    PlanShape outline;                             ///< the parting curve that the tip lies on
+    double drop = 0; ///< mm below the tip at which a channel as wide as asked for lies inside the outline
+    double exit = 0; ///< y above which it lies outside
 };
 
-/// The gates of a cavity that is filled along `up` (a unit vector in the plane), one for each of its solids.
-/// `width` mm is the channel's.
-[[nodiscard]] std::vector<Gate> gatesOf(const IndexedMesh& cast, const SideLabels& labels,
-                                        const Eigen::Vector2d& up, double width);
+/// The gates of a cavity, one for each of its solids, at the highest point of its parting line; `width` mm
+/// is the channel's.
+[[nodiscard]] std::vector<Gate> gatesOf(const std::vector<CavityOutline>& outlines, double width);
+
+/// The gate of one solid (counted as gatesOf() does) with its axis at `x`. Errors: Impossible, with the
+/// places that a gate could have.
+[[nodiscard]] Result<Gate> gateAt(const std::vector<CavityOutline>& outlines, int gate, double x,
+                                  double width);
+
+/// The height that the outlines reach within a channel about `x`, of those parts not lower than `low`.
+[[nodiscard]] double exitOf(const PlanShape& outline, double x, double width, double low);
+
+/// Where the outlines are highest over `x`; none where that is at none of `points` (of the cast).
+[[nodiscard]] std::optional<Eigen::Vector2d> topOver(const std::vector<CavityOutline>& outlines, double x,
+                                                     const std::vector<int>& points);
 
 /// The traps of all solids of a cavity that fills along `up` (unit), each drained at one of the points
 /// `drains`; smaller ones than `smallest` mm³ left out.

@@ -60,6 +60,7 @@ const char* refusalOf(Alternation alternation) {
 CavityKind kindOf(IndexedMesh cast, SideLabels labels) {
     CavityKind kind;
     kind.hull = planHull(cast.V);
+    kind.outlines = outlinesOf(cast, labels);
     kind.cast = std::move(cast);
     kind.labels = std::move(labels);
     return kind;

@@ -5,6 +5,7 @@
 #include "castability/mold_state.h"
 #include "features/plan_shape.h"
 #include "mesh/indexed_mesh.h"
+#include "mold/gates.h"
 #include "mold/mold_settings.h"
 
 #include <vector>
@@ -16,8 +17,9 @@ namespace moldwright {
 struct CavityKind {
     IndexedMesh cast; ///< mold's frame, on the grid
     SideLabels labels;
-    PlanShape hull;        ///< outline of all of it, seen along the plane's normal
-    bool mirrored = false; ///< the opposite-handed part
+    PlanShape hull;                      ///< round all of it, seen along the plane's normal
+    std::vector<CavityOutline> outlines; ///< its parting curves
+    bool mirrored = false;               ///< the opposite-handed part
 };
 
 /// A cavity: which kind, and where.

@@ -3,34 +3,48 @@
 
 #include "mold/mold_builder.h"
 
+#include <array>
+
 namespace moldwright {
+
+namespace {
+
+struct Stage {
+    double at;
+    const char* name;
+    Result<void> (MoldBuilder::*work)();
+};
+
+/// After the cast was placed. A mold's block is known after the first four.
+constexpr std::array stages = {
+    Stage{0.15, "Lay out the cavities", &MoldBuilder::makeKinds},
+    Stage{0.2, "Lay out the cavities", &MoldBuilder::layOut},
+    Stage{0.2, "Lay out the cavities", &MoldBuilder::findEntries},
+    Stage{0.25, "Fit the block", &MoldBuilder::fitBlock},
+    Stage{0.3, "Join the channels", &MoldBuilder::join},
+    Stage{0.5, "Measure the steel", &MoldBuilder::measureSteel},
+    Stage{0.55, "Measure the steel", &MoldBuilder::refuseCollisions},
+    Stage{0.55, "Build the halves", &MoldBuilder::assemble},
+    Stage{0.65, "Build the halves", &MoldBuilder::measure},
+    Stage{0.7, "Prove the halves", &MoldBuilder::prove},
+};
+constexpr std::size_t untilBlock = 4;
+
+} // namespace
 
 Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
                        double draftDegrees, const MoldSettings& settings, const Task& task) {
-    const auto stopped = [&] {
-        return failure(ErrorCode::Cancelled, MW_TEXT("Mold", "Building the mold was cancelled."));
-    };
     MoldBuilder builder(settings, draftDegrees);
-    const auto stage = [&](double at, const char* name, Result<void> (MoldBuilder::*work)()) -> Result<void> {
-        if (task.stopped())
-            return stopped();
-        task.progress(at, name);
-        return (builder.*work)();
-    };
     task.progress(0, "Place the cast");
     Result<void> done = builder.place(cast, labels, state);
-    if (done)
-        done = stage(0.15, "Lay out the cavities", &MoldBuilder::layOut);
-    if (done)
-        done = stage(0.25, "Fit the block", &MoldBuilder::fitBlock);
-    if (done)
-        done = stage(0.3, "Join the channels", &MoldBuilder::join);
-    if (done)
-        done = stage(0.5, "Build the halves", &MoldBuilder::assemble);
-    if (done)
-        done = stage(0.6, "Measure the steel", &MoldBuilder::measure);
-    if (done)
-        done = stage(0.7, "Prove the halves", &MoldBuilder::prove);
+    for (const Stage& stage : stages) {
+        if (!done)
+            return std::unexpected(done.error());
+        if (task.stopped())
+            return failure(ErrorCode::Cancelled, MW_TEXT("Mold", "Building the mold was cancelled."));
+        task.progress(stage.at, stage.name);
+        done = (builder.*stage.work)();
+    }
     if (!done)
         return std::unexpected(done.error());
     task.progress(1, "Prove the halves");
@@ -41,10 +55,8 @@ Result<Eigen::Vector3d> blockSize(const IndexedMesh& cast, const SideLabels& lab
                                   double draftDegrees, const MoldSettings& settings) {
     MoldBuilder builder(settings, draftDegrees);
     Result<void> done = builder.place(cast, labels, state);
-    if (done)
-        done = builder.layOut();
-    if (done)
-        done = builder.fitBlock();
+    for (std::size_t i = 0; i < untilBlock && done; ++i)
+        done = (builder.*stages.at(i).work)();
     if (!done)
         return std::unexpected(done.error());
     return builder.block().sizes();

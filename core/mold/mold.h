@@ -5,12 +5,14 @@
 #include "base/task.h"
 #include "castability/certificate.h"
 #include "castability/mold_state.h"
+#include "features/plan_shape.h"
 #include "mesh/indexed_mesh.h"
 #include "mold/mold_settings.h"
 #include "mold/steel.h"
 
 #include <Eigen/Geometry>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,11 @@ struct MoldFeature {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();     ///< mm, mold's frame
     std::vector<std::pair<std::string, double>> numbers; ///< by key of mold.json; mm, degrees, mm³
     std::string note; ///< English: what was corrected and why; empty as a rule
+    /// What would put it by hand to where it stands; none for what follows from other features.
+    std::optional<PlacedFeature> stands = {};
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< of the frame of `stands`, mm in the mold's
+    bool byHand = false;                              ///< a hand put it there
+    PlanShape outline = {}; ///< mm, mold's frame: of what can be placed, seen along the normal
 };
 
 /// Two halves, what solidifies in them, and the proof that they come off.
@@ -54,7 +61,8 @@ struct Mold {
     double clampForce = 0;    ///< kN along n: partingArea × pressure × 1.1
     double minWall = 0;       ///< mm, smallest steel between any two features or one and the outside
     Eigen::Vector3d minWallPlace = Eigen::Vector3d::Zero(); ///< mm, mold's frame: on the feature it is at
-    std::vector<ThinSteel> steel;                           ///< by pair of features, thinnest first
+    std::vector<ThinSteel> steel;                           ///< by pair of names, thinnest first
+    std::vector<ThinSteel> steelOfEach;                     ///< by pair of features, thinnest first
     std::vector<MoldFeature> features;
     std::vector<double> pathLengths;   ///< mm from the spout's mouth to each cavity's gate
     double trappedAir = 0;             ///< mm³ that no vent serves

@@ -46,6 +46,10 @@ PlacedSurface placed(IndexedMesh mesh) {
     return {std::make_shared<const IndexedMesh>(std::move(mesh))};
 }
 
+SharedMesh shared(IndexedMesh mesh) {
+    return std::make_shared<const IndexedMesh>(std::move(mesh));
+}
+
 double volumeOf(const DraftedPrism& prism) {
     return volume(*prismSolid(prism));
 }
@@ -115,10 +119,10 @@ Result<void> MoldBuilder::measure() {
     const MoldSettings& settings = m_mold.settings;
     m_mold.blockVolume = m_block.volume();
     for (const CavityCopy& copy : m_layout.copies)
-        m_mold.cavityVolume += volume(m_kinds[copy.kind].cast);
+        m_mold.cavityVolume += volume(kinds()[copy.kind].cast);
     if (settings.hollow.wall > 0) {
         std::vector<double> ofKind;
-        for (const CavityKind& kind : m_kinds)
+        for (const CavityKind& kind : kinds())
             ofKind.push_back(shellVolume(kind.cast, settings.hollow.wall));
         for (const CavityCopy& copy : m_layout.copies)
             m_mold.shellVolume += ofKind[copy.kind];
@@ -141,42 +145,93 @@ Result<void> MoldBuilder::measure() {
     m_mold.partingArea = curves ? enclosedArea(*m_mold.cast, *curves) : 0;
     // cm² × bar / 100 = kN.
     m_mold.clampForce = m_mold.partingArea / 100 * settings.pressure / 100 * clampAllowance;
-    constexpr double furthest = 1000;
-    m_mold.steel = thinnestSteel(hollows(), m_block, furthest);
-    m_mold.minWall = m_mold.steel.front().thickness;
-    m_mold.minWallPlace = m_mold.steel.front().place;
-    for (const ThinSteel& thin : m_mold.steel)
-        if (thin.thickness < settings.leastSteel)
-            m_mold.notes.push_back("Only " + readable(thin.thickness, 3) + " mm of steel between " +
-                                   thin.first + " and " + thin.second + ".");
     if (m_mold.sprueVolume > 0)
         m_mold.notes.push_back("Each spout through half 1 holds its sprue and breaks off at a neck of " +
                                readable(spout().neck, 3) +
                                " mm: the cast is proved without it. Push the sprues out of half 1 outwards.");
+    return {};
+}
+
+Result<void> MoldBuilder::measureSteel() {
+    constexpr double furthest = 1000;
+    m_mold.steelOfEach = thinnestSteel(hollows(), m_block, furthest, *m_trees);
+    m_mold.steel = byNames(m_mold.steelOfEach);
+    m_mold.minWall = m_mold.steel.front().thickness;
+    m_mold.minWallPlace = m_mold.steel.front().place;
+    for (const ThinSteel& thin : m_mold.steel)
+        if (thin.thickness < m_mold.settings.leastSteel)
+            m_mold.notes.push_back("Only " + readable(thin.thickness, 3) + " mm of steel between " +
+                                   thin.first + " and " + thin.second + ".");
     listFeatures();
     return {};
 }
 
-std::vector<Hollow> MoldBuilder::hollows() const {
-    const auto shared = [](IndexedMesh mesh) { return std::make_shared<const IndexedMesh>(std::move(mesh)); };
-    std::vector<Hollow> all;
-    std::vector<SharedMesh> casts;
-    std::vector<std::vector<Hollow>> attached; // by kind
-    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        casts.push_back(shared(m_kinds[kind].cast));
-        attached.emplace_back();
-        for (const Stub& stub : m_joined[kind].stubs)
-            attached.back().push_back({stub.name, shared(*prismSolid(stub.prism)), {}, {}, single()});
-        for (const ThroughVent& vent : m_joined[kind].vents)
-            attached.back().push_back({"Vent", shared(vent.solid()), {}, {}, true});
-        for (const HalfBore& bore : m_joined[kind].bores)
-            attached.back().push_back(
-                {bore.name, shared(bore.solid(m_mold.directions.of(bore.side), m_grid)), {}, {}, true});
+Result<void> MoldBuilder::refuseCollisions() {
+    const auto named = [](const std::string& name, int number) {
+        return number > 0 ? name + ' ' + std::to_string(number) : name;
+    };
+    for (const ThinSteel& thin : m_mold.steelOfEach)
+        if (thin.thickness <= 0) {
+            std::unexpected<Error> error = failure(
+                ErrorCode::Impossible,
+                MW_TEXT("Mold", "There is no steel between {0} and {1}. Move one of them, or have it placed "
+                                "automatically."),
+                {named(thin.first, thin.firstNumber), named(thin.second, thin.secondNumber)});
+            error.error().places.push_back(thin.place);
+            return error;
+        }
+    return {};
+}
+
+std::vector<Hollow> MoldBuilder::attachedTo(std::size_t kind) const {
+    const JoinedCavity& joined = m_joined[kind];
+    std::vector<Hollow> attached;
+    for (const Stub& stub : joined.stubs) {
+        const bool gate = !stub.vent && !single();
+        const Placeable what = stub.vent ? Placeable::Vent : Placeable::Spout;
+        attached.push_back({stub.name,
+                            shared(*prismSolid(stub.prism)),
+                            {},
+                            {},
+                            single(),
+                            stub.number + 1,
+                            !gate,
+                            !gate && isByHand(what, stub.number)});
     }
+    for (const CavityVent& vent : joined.vents)
+        attached.push_back({"Vent",
+                            shared(vent.solid()),
+                            {},
+                            {},
+                            true,
+                            vent.number + 1,
+                            true,
+                            isByHand(Placeable::Vent, vent.number)});
+    for (const HalfBore& bore : joined.bores) {
+        const Placeable what = bore.name == ejectorName ? Placeable::Ejector : Placeable::Spout;
+        attached.push_back({bore.name,
+                            shared(bore.solid(m_mold.directions.of(bore.side), m_grid)),
+                            {},
+                            {},
+                            true,
+                            bore.number + 1,
+                            true,
+                            isByHand(what, bore.number)});
+    }
+    return attached;
+}
+
+std::vector<Hollow> MoldBuilder::hollows() const {
+    std::vector<Hollow> all;
+    std::vector<std::vector<Hollow>> attached; // by kind
+    for (std::size_t kind = 0; kind < kinds().size(); ++kind)
+        attached.push_back(attachedTo(kind));
     const int net = static_cast<int>(m_layout.copies.size());
     for (int c = 0; c < net; ++c) {
         const CavityCopy& copy = m_layout.copies[static_cast<std::size_t>(c)];
-        all.push_back({"Cavity", casts[copy.kind], copy.offset, {c}, false});
+        // The kinds live as long as the builder or its copies, and their trees with them.
+        all.push_back(
+            {"Cavity", SharedMesh(m_shapes, &kinds()[copy.kind].cast), copy.offset, {c}, false, c + 1});
         for (Hollow hollow : attached[copy.kind]) {
             hollow.offset = copy.offset;
             hollow.joints = {c};
@@ -186,18 +241,33 @@ std::vector<Hollow> MoldBuilder::hollows() const {
             all.push_back(std::move(hollow));
         }
     }
-    for (const Channel& channel : m_net.channels)
+    for (const Channel& channel : m_net.channels) {
+        const bool main = channel.name == "Spout";
         all.push_back({channel.name,
                        shared(*prismSolid(channel.prism)),
                        Vector2d::Zero(),
                        {net},
-                       channel.name == "Spout"});
-    for (const RegistrationKey& key : m_keys)
-        all.push_back({"Key", shared(*prismSolid(key.socket)), Vector2d::Zero(), {}, false});
-    for (const PlanShape& bolt : m_bolts)
-        all.push_back({boltName, shared(boltSolid(bolt, m_block)), Vector2d::Zero(), {}, true});
-    for (const WedgeSlit& slit : m_slits)
-        all.push_back({"Slit", shared(*prismSolid(slit.prism)), Vector2d::Zero(), {}, true});
+                       main,
+                       main ? 1 : 0,
+                       main,
+                       main && isByHand(Placeable::Spout, 0)});
+    }
+    const auto add = [&](const char* name, IndexedMesh mesh, bool opensOutside, Placeable kind, int number) {
+        all.push_back({name,
+                       shared(std::move(mesh)),
+                       Vector2d::Zero(),
+                       {},
+                       opensOutside,
+                       number + 1,
+                       true,
+                       isByHand(kind, number)});
+    };
+    for (std::size_t i = 0; i < m_keys.size(); ++i)
+        add("Key", *prismSolid(m_keys[i].socket), false, Placeable::Key, static_cast<int>(i));
+    for (std::size_t i = 0; i < m_bolts.size(); ++i)
+        add(boltName, boltSolid(m_bolts[i], m_block), true, Placeable::Bolt, static_cast<int>(i));
+    for (std::size_t i = 0; i < m_slits.size(); ++i)
+        add("Slit", *prismSolid(m_slits[i].prism), true, Placeable::Slit, static_cast<int>(i));
     return all;
 }
 

@@ -23,19 +23,23 @@ double gridFor(double halfSize) {
     return std::ldexp(1.0, static_cast<int>(std::ceil(std::log2(halfSize))) - 24);
 }
 
-/// More than a mold can reach from its middle, mm.
-double farthestReach(const MoldSettings& settings, double castSize) {
+/// How far the cavities of a mold reach from its middle, and its block beyond them, at most; mm.
+struct Reach {
+    double cavities = 0;
+    double round = 0;
+};
+Reach farthestReach(const MoldSettings& settings, double castSize) {
     const LayoutSettings& layout = settings.layout;
     const double cell = castSize + 2 * layout.spacing + 2 * settings.spout.diameter;
-    const double across = std::max(layout.rows, layout.columns) * cell / 2;
-    const double round = settings.wall + settings.floor + settings.ceiling + settings.step +
-                         2 * settings.spout.funnel + 4 * settings.keys.diameter + 40;
-    return across + round;
+    return {std::max(layout.rows, layout.columns) * cell / 2,
+            settings.wall + settings.floor + settings.ceiling + settings.step + 2 * settings.spout.funnel +
+                4 * settings.keys.diameter + 40};
 }
 
 } // namespace
 
-MoldBuilder::MoldBuilder(const MoldSettings& settings, double draftDegrees) {
+MoldBuilder::MoldBuilder(const MoldSettings& settings, double draftDegrees)
+    : m_trees(std::make_shared<SteelTrees>()) {
     m_mold.settings = settings;
     m_mold.draftDegrees = draftDegrees;
 }
@@ -51,7 +55,9 @@ Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& label
     if (!larger)
         return std::unexpected(larger.error());
     m_mold.shrinkFactors = larger->factors;
-    m_grid = gridFor(farthestReach(settings, diagonal(larger->mesh)));
+    const Reach reach = farthestReach(settings, diagonal(larger->mesh));
+    m_grid = gridFor(reach.cavities + reach.round);
+    m_farthest = reach.cavities + reach.round / 2;
     PlacedCast placed = placeCast(larger->mesh, labels, larger->state, m_mold.draftDegrees, m_grid);
     m_mold.castCertificate = certify(placed.mesh, labels, placed.state, m_mold.draftDegrees);
     const Certificate& proof = m_mold.castCertificate;
@@ -79,19 +85,43 @@ Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& label
     return {};
 }
 
-Result<void> MoldBuilder::layOut() {
+Result<void> MoldBuilder::makeKinds() {
     const MoldSettings& settings = m_mold.settings;
     Result<std::vector<CavityKind>> kinds = cavityKinds(
         m_cast, m_labels, m_mold.directions, m_mold.draftDegrees, m_grid, settings.layout.alternation);
     if (!kinds)
         return std::unexpected(kinds.error());
-    m_kinds = *std::move(kinds);
     const double depth = onPlaneTolerance(m_cast);
     const bool flips = settings.layout.alternation == Alternation::Flip;
     m_rules = {m_mold.directions,
                std::max(spout().draft, m_mold.draftDegrees + 1),
                {flips || m_cast.V.col(2).maxCoeff() > depth, flips || m_cast.V.col(2).minCoeff() < -depth},
                m_grid};
+    m_cast = {};
+    const auto shapes = std::make_shared<CavityShapes>();
+    shapes->kinds = *std::move(kinds);
+    shapes->findGrounds(settings, m_mold.directions);
+    m_shapes = shapes;
+    return setPlaced(settings.placed);
+}
+
+Result<void> MoldBuilder::setPlaced(const PlacedFeatures& placed) {
+    for (const PlacedFeature& feature : placed)
+        if (!(feature.place.cwiseAbs().maxCoeff() <= m_farthest))
+            return failure(ErrorCode::Impossible,
+                           MW_TEXT("Mold", "No feature can stand {0} mm from the middle: blocks of this mold "
+                                           "reach no farther than {1} mm."),
+                           {readable(feature.place.cwiseAbs().maxCoeff()), readable(m_farthest)});
+    m_mold.settings.placed = placed;
+    return {};
+}
+
+bool MoldBuilder::isByHand(Placeable kind, int number) const {
+    return placeByHand(m_mold.settings.placed, kind, number).has_value();
+}
+
+Result<void> MoldBuilder::layOut() {
+    const MoldSettings& settings = m_mold.settings;
     RunnerRoom room;
     if (inPlane()) {
         const Result<ChannelWidths> widths = ChannelWidths::of(spout(), m_rules);
@@ -102,90 +132,34 @@ Result<void> MoldBuilder::layOut() {
         // A gate at a cavity's very edge stays clear of the main runner.
         room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.layout.spacing + 1);
     }
-    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind)
-        if (Result<void> done = placeEntries(kind); !done)
-            return done;
-    m_layout = layoutOf(m_kinds, settings.layout, room);
+    m_layout = layoutOf(kinds(), settings.layout, room);
+    if (const auto mouth = placeByHand(settings.placed, Placeable::Spout, 0); mouth && !single())
+        m_layout.mainAxis = mouth->x();
     m_mold.cavities = static_cast<int>(m_layout.copies.size());
     m_mold.partToMold.pretranslate(
         Vector3d(m_layout.copies.front().offset.x(), m_layout.copies.front().offset.y(), 0));
     return {};
 }
 
-/// Where the kind is filled, what air stays then, and where it is pushed out.
-Result<void> MoldBuilder::placeEntries(std::size_t kind) {
-    const IndexedMesh& cast = m_kinds[kind].cast;
-    m_gates.emplace_back();
-    m_traps.emplace_back();
-    m_bores.emplace_back();
-    std::vector<int> drains;
-    if (inPlane()) {
-        m_gates.back() = gatesOf(cast, m_kinds[kind].labels, Vector2d::UnitY(), m_widths.gate);
-        drains = drainsOf(m_gates.back());
-    }
-    if (lying()) {
-        Result<std::vector<int>> points = placeSpouts(kind);
-        if (!points)
-            return std::unexpected(points.error());
-        drains = *std::move(points);
-    }
-    if (m_mold.settings.vents.on)
-        m_traps.back() = trapsOf(cast, drains, up(), m_mold.settings.vents.smallestTrap);
-    return m_mold.settings.ejectors.count > 0 ? placeEjectors(kind) : Result<void>();
-}
-
-Result<std::vector<int>> MoldBuilder::placeSpouts(std::size_t kind) {
-    const Result<std::vector<BorePlace>> places = spoutPlaces(m_kinds[kind], m_mold.directions, spout().neck);
-    if (!places)
-        return std::unexpected(places.error());
-    std::vector<int> drains;
-    for (const BorePlace& place : *places) {
-        // Thinnest where it meets the cavity; from there on it widens, so that it can be pushed out.
-        const double neck = spout().neck / 2;
-        const double full = std::max(spout().diameter / 2, neck + 0.5);
-        constexpr double neckLength = 1; // mm
-        HalfBore bore{"Spout", 1, place.axis, {}, std::tan(radians(m_rules.draftDegrees)), place.tip};
-        bore.stations = {{place.inside, 0.8 * neck},
-                         {place.tip, neck},
-                         {place.tip + neckLength, neck + 0.2},
-                         {place.tip + neckLength + full - neck, full},
-                         {0, full}};
-        const Vector3d entry = bore.at(place.tip, m_mold.directions.d1);
-        Eigen::Index nearest = 0;
-        (m_kinds[kind].cast.V.rowwise() - entry.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-        drains.push_back(static_cast<int>(nearest));
-        m_bores[kind].push_back(std::move(bore));
-    }
-    return drains;
-}
-
-Result<void> MoldBuilder::placeEjectors(std::size_t kind) {
-    const EjectorSettings& ejectors = m_mold.settings.ejectors;
-    const auto plan = [&](int v) -> Vector2d { return m_kinds[kind].cast.V.row(v).head<2>(); };
-    std::vector<std::pair<Vector2d, double>> keepOff;
-    for (const Gate& gate : m_gates[kind])
-        keepOff.emplace_back(plan(gate.point), gate.drop + m_widths.gate / 2);
-    for (const AirTrap& trap : m_traps[kind])
-        keepOff.emplace_back(plan(trap.point), 2 * m_mold.settings.vents.diameter);
-    for (const HalfBore& bore : m_bores[kind])
-        if (bore.side == ejectors.side)
-            keepOff.emplace_back(bore.axis, spout().diameter);
-    const Result<std::vector<BorePlace>> places =
-        ejectorPlaces(m_kinds[kind], m_mold.directions, ejectors, m_mold.settings.leastSteel, keepOff);
-    if (!places)
-        return std::unexpected(places.error());
-    for (const BorePlace& place : *places) {
-        const double radius = ejectors.diameter / 2;
-        m_bores[kind].push_back(
-            {"Ejector hole", ejectors.side, place.axis, {{place.inside, radius}, {0, radius}}, 0, place.tip});
-    }
+Result<void> MoldBuilder::findEntries() {
+    EntryPlan plan;
+    plan.settings = &m_mold.settings;
+    plan.directions = m_mold.directions;
+    plan.gate = m_widths.gate;
+    plan.channelDraft = m_rules.draftDegrees;
+    plan.up = up();
+    plan.single = single();
+    plan.cavityAt = m_layout.copies.front().offset;
+    Result<std::vector<CavityFeatures>> entries = entriesOf(*m_shapes, plan);
+    if (!entries)
+        return std::unexpected(entries.error());
+    m_entries = std::make_shared<const std::vector<CavityFeatures>>(*std::move(entries));
     return {};
 }
 
-Result<void> MoldBuilder::join() {
-    const MoldSettings& settings = m_mold.settings;
+Result<JointPlan> MoldBuilder::jointPlan() const {
     JointPlan plan;
-    plan.settings = &settings;
+    plan.settings = &m_mold.settings;
     plan.rules = m_rules;
     plan.widths = m_widths;
     plan.draftDegrees = m_mold.draftDegrees;
@@ -199,12 +173,19 @@ Result<void> MoldBuilder::join() {
         plan.line = single() ? m_end.line : m_layout.runnerOverKind - m_widths.runner / 2;
         plan.slope = single() ? std::array{0.0, 0.0} : *slope;
     }
-    for (std::size_t kind = 0; kind < m_kinds.size(); ++kind) {
-        Result<JoinedCavity> joined =
-            joinedCavity(m_kinds[kind], {m_gates[kind], m_traps[kind], m_bores[kind]}, plan);
-        if (!joined)
-            return std::unexpected(joined.error());
-        m_joined.push_back(*std::move(joined));
+    return plan;
+}
+
+Result<void> MoldBuilder::makeJoints(Result<JoinedCavity> (*joined)(const CavityKind&, const CavityFeatures&,
+                                                                    const JointPlan&)) {
+    const Result<JointPlan> plan = jointPlan();
+    if (!plan)
+        return std::unexpected(plan.error());
+    for (std::size_t kind = 0; kind < kinds().size(); ++kind) {
+        Result<JoinedCavity> cavity = joined(kinds()[kind], (*m_entries)[kind], *plan);
+        if (!cavity)
+            return std::unexpected(cavity.error());
+        m_joined.push_back(*std::move(cavity));
         m_stubs.push_back(m_joined.back().stubs);
     }
     if (inPlane() && !single()) {
@@ -234,6 +215,14 @@ Result<void> MoldBuilder::addTails() {
             (closed ? m_closedTails : m_openTails).push_back(*std::move(tail));
         }
     return {};
+}
+
+std::vector<PlanShape> MoldBuilder::partingLines() const {
+    std::vector<PlanShape> lines;
+    for (const CavityCopy& copy : m_layout.copies)
+        for (const CavityOutline& outline : kinds()[copy.kind].outlines)
+            lines.push_back(movedPlan(outline.shape, copy.offset));
+    return lines;
 }
 
 Result<void> MoldBuilder::prove() {

@@ -2,41 +2,63 @@
 #pragma once
 
 #include "mold/bolt_holes.h"
-#include "mold/bore_places.h"
+#include "mold/cavity_entries.h"
 #include "mold/cavity_joints.h"
 #include "mold/half.h"
 #include "mold/mold.h"
 #include "mold/registration.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace moldwright {
 
 /// Builds a mold stage by stage, in the order of the members; each uses what the ones before have found. Only
-/// mold.cpp calls it.
+/// mold.cpp calls it, and mold_sketch.cpp as far as planJoints() and measureSteel().
 class MoldBuilder {
 public:
     MoldBuilder(const MoldSettings& settings, double draftDegrees);
 
     /// The cast larger by the shrink, in the mold's frame, the pour direction up in the plane (+y).
     Result<void> place(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state);
-    /// Kinds of cavities, their places, and the room that channels need.
+    /// Kinds of cavities, and what of them does not depend on where features stand.
+    Result<void> makeKinds();
+    /// What stands by hand, if that is to be other than in the settings.
+    Result<void> setPlaced(const PlacedFeatures& placed);
+    /// The cavities' places, and the room that channels need.
     Result<void> layOut();
+    /// Where cavities are filled, vented, and pushed out.
+    Result<void> findEntries();
     /// Block, keys and slits; the block grows until all have room.
     Result<void> fitBlock();
-    /// What crosses a cavity's wall, and the runners.
-    Result<void> join();
+    /// What will cross a cavity's wall, and the runners.
+    Result<void> planJoints() { return makeJoints(&plannedCavity); }
+    /// The same, joined to the cavities.
+    Result<void> join() { return makeJoints(&joinedCavity); }
+    /// The steel between all of this, and the list of features.
+    Result<void> measureSteel();
+    /// Refuses what stands by hand in the way of something else.
+    Result<void> refuseCollisions();
     /// Everything that solidifies, and the halves about it.
     Result<void> assemble();
-    /// Volumes, areas, steel.
+    /// Volumes and areas.
     Result<void> measure();
     Result<void> prove();
 
     [[nodiscard]] Mold mold() { return std::move(m_mold); }
     [[nodiscard]] const Block& block() const { return m_block; }
 
+    /// Of all cavities, mold's frame. Precondition: layOut().
+    [[nodiscard]] std::vector<PlanShape> partingLines() const;
+
+    using Entries = std::shared_ptr<const std::vector<CavityFeatures>>;
+    [[nodiscard]] const Entries& entries() const { return m_entries; }
+    /// Instead of findEntries(): those of the same mold with the same entries by hand.
+    void useEntries(const Entries& entries) { m_entries = entries; }
+
 private:
+    [[nodiscard]] const std::vector<CavityKind>& kinds() const { return m_shapes->kinds; }
     [[nodiscard]] bool single() const { return m_layout.copies.size() == 1; }
     /// Whether spout and runners lie in the parting plane.
     [[nodiscard]] bool inPlane() const { return spout().on && spout().resting == Resting::Standing; }
@@ -47,11 +69,14 @@ private:
     }
     [[nodiscard]] const SpoutSettings& spout() const { return m_mold.settings.spout; }
     [[nodiscard]] bool channels() const { return spout().on || m_mold.settings.vents.on; }
-    Result<void> placeEntries(std::size_t kind);
-    Result<void> placeEjectors(std::size_t kind);
-    Result<std::vector<int>> placeSpouts(std::size_t kind);
+    [[nodiscard]] bool isByHand(Placeable kind, int number) const;
+    Result<void> makeJoints(Result<JoinedCavity> (*joined)(const CavityKind&, const CavityFeatures&,
+                                                           const JointPlan&));
+    [[nodiscard]] Result<JointPlan> jointPlan() const;
     [[nodiscard]] Obstacles planObstacles(const Block& block) const;
     void addChannelObstacles(Obstacles& obstacles, double faceY) const;
+    void addByHand(Obstacles& obstacles, const Block& block) const;
+    [[nodiscard]] Eigen::AlignedBox2d boxByHand() const;
     /// A hole that leaves a cavity through a half, along its direction.
     struct OutwardHole {
         Eigen::Vector3d foot;
@@ -67,22 +92,26 @@ private:
     void addHalf(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids);
     void listFeatures();
     void listCavity(const CavityCopy& copy);
+    void listStubs(const CavityCopy& copy);
     void listChannels();
     void listRegistration();
     void listBores(const CavityCopy& copy);
     void listBolts();
+    void addPlaceable(MoldFeature feature, const PlacedFeature& stands, PlanShape outline,
+                      const Eigen::Vector2d& origin = Eigen::Vector2d::Zero());
     [[nodiscard]] std::vector<Hollow> hollows() const;
+    [[nodiscard]] std::vector<Hollow> attachedTo(std::size_t kind) const;
 
     Mold m_mold;
     double m_grid = 0;
+    double m_farthest = 0; ///< mm from the middle at which a feature may stand
     ChannelRules m_rules;
     ChannelWidths m_widths;
     IndexedMesh m_cast; ///< placed
     SideLabels m_labels;
-    std::vector<CavityKind> m_kinds;
-    std::vector<std::vector<Gate>> m_gates;     ///< by kind, if a spout lies in the plane
-    std::vector<std::vector<AirTrap>> m_traps;  ///< by kind, if there are vents
-    std::vector<std::vector<HalfBore>> m_bores; ///< by kind
+    std::shared_ptr<const CavityShapes> m_shapes;
+    Entries m_entries;                   ///< by kind
+    std::shared_ptr<SteelTrees> m_trees; ///< shared by copies of this builder
     Layout m_layout;
     Block m_block;
     std::vector<Eigen::Vector2d> m_boltPlaces;

@@ -52,6 +52,11 @@ Json features(const Mold& mold) {
     Json all = Json::array();
     for (const MoldFeature& feature : mold.features) {
         Json json = {{"kind", feature.kind}, {"name", feature.name}, {"place", vectorJson(feature.place)}};
+        if (const std::optional<PlacedFeature>& stands = feature.stands) {
+            json["number"] = stands->number + 1;
+            json["at"] = {stands->place.x(), stands->place.y()};
+            json["by_hand"] = feature.byHand;
+        }
         for (const auto& [key, value] : feature.numbers)
             json[key] = value;
         if (!feature.note.empty())

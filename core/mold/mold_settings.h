@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "mold/placed_feature.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -157,6 +159,7 @@ struct MoldSettings {
     BoltSettings bolts;
     EjectorSettings ejectors;
     HollowSettings hollow;
+    PlacedFeatures placed;     ///< what stands where a hand put it; the rest finds its own place
     std::vector<double> stock; ///< lengths and widths of blocks that are to be had, mm; empty: any
 
     bool operator==(const MoldSettings&) const = default;

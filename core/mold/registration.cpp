@@ -48,19 +48,25 @@ Result<DraftedPrism> frustum(const PlanShape& base, double height, const Directi
 } // namespace
 
 std::vector<Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions, const Block& block,
-                                const Obstacles& obstacles, double steel) {
+                                const Obstacles& obstacles, double steel, const Wishes& wishes) {
     const double shift = shiftOf(keys, directions);
     std::vector<Vector2d> places;
     Obstacles taken = obstacles;
-    for (const Vector2d& wish : placesRound(block, keys.count)) {
-        const double radius = socketRadius(keys, places.empty(), shift);
-        const std::optional<Vector2d> place = nearestFree(wish, radius, block, taken, {steel, steel});
+    const std::vector<Vector2d> round = placesRound(block, static_cast<int>(wishes.size()));
+    for (std::size_t i = 0; i < round.size(); ++i) {
+        const double radius = socketRadius(keys, i == 0, shift);
+        const std::optional<Vector2d> place =
+            wishes[i] ? wishes[i] : nearestFree(round[i], radius, block, taken, {steel, steel});
         if (!place)
             break;
         places.push_back(*place);
         taken.push_back(planCircle(*place, radius, circleCorners));
     }
     return places;
+}
+
+PlanShape keyRoom(const KeySettings& keys, const Directions& directions, int number, const Vector2d& place) {
+    return planCircle(place, socketRadius(keys, number == 0, shiftOf(keys, directions)), circleCorners);
 }
 
 Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const Vector2d& place,
@@ -90,27 +96,34 @@ Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const
     return key;
 }
 
+Vector2d onFace(const Vector2d& wish, const Block& block) {
+    return {wish.x() < 0 ? block.min().x() : block.max().x(), wish.y()};
+}
+
 std::vector<Vector2d> slitPlaces(const SlitSettings& slits, const Block& block, const Obstacles& obstacles,
-                                 double steel) {
+                                 double steel, const Wishes& wishes) {
     std::vector<Vector2d> places;
     Obstacles taken = obstacles;
     const double reach = block.max().y() - slits.width / 2 - steel;
     const Vector2d middle = block.center().head<2>();
-    const auto free = [&](const Vector2d& place) {
-        return keepsClear(slitShape(slits, place), taken, steel);
+    const auto full = [&](std::size_t more) { return places.size() + more >= wishes.size(); };
+    // A slit by hand needs no place of this pair.
+    const auto free = [&](std::size_t more, const Vector2d& place) {
+        return (!full(more) && wishes[places.size() + more]) ||
+               keepsClear(slitShape(slits, place), taken, steel);
     };
     // From the corner inwards: there the leverage is best.
-    for (double y = reach; y > middle.y() && static_cast<int>(places.size()) < slits.count; y -= searchStep)
+    for (double y = reach; y > middle.y() && !full(0); y -= searchStep)
         for (const double way : {1.0, -1.0}) {
             const Vector2d place(block.max().x(), middle.y() + way * (y - middle.y()));
             const Vector2d opposite(block.min().x(), middle.y() - way * (y - middle.y()));
-            if (static_cast<int>(places.size()) >= slits.count || !free(place) ||
-                (slits.count > 1 && !free(opposite)))
+            if (full(0) || !free(0, place) || (wishes.size() > 1 && !free(1, opposite)))
                 continue;
             for (const Vector2d& p : {place, opposite})
-                if (static_cast<int>(places.size()) < slits.count) {
-                    places.push_back(p);
-                    taken.push_back(slitShape(slits, p));
+                if (!full(0)) {
+                    const auto& wish = wishes[places.size()];
+                    places.push_back(wish ? onFace(*wish, block) : p);
+                    taken.push_back(slitShape(slits, places.back()));
                 }
         }
     return places;

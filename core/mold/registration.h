@@ -26,11 +26,16 @@ struct WedgeSlit {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
 };
 
-/// Places for the keys as near to the block's corners as steel to everything else allows, the larger one
-/// first; fewer than asked for where there is no room: then the block must grow.
+/// Places for `wishes.size()` keys: those by hand, the others as near to the block's corners as steel to
+/// everything else allows, the larger one first. Fewer where there is no room: then the block must grow.
+/// Obstacles hold what stands there by hand.
 [[nodiscard]] std::vector<Eigen::Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions,
                                                      const Block& block, const Obstacles& obstacles,
-                                                     double steel);
+                                                     double steel, const Wishes& wishes);
+
+/// The area that key `number` and its socket take, seen along the normal.
+[[nodiscard]] PlanShape keyRoom(const KeySettings& keys, const Directions& directions, int number,
+                                const Eigen::Vector2d& place);
 
 /// A key at a place. Its walls leave along d1 and along −d2: so either half may be opened first, or both at
 /// once. Errors: Impossible.
@@ -39,10 +44,15 @@ struct WedgeSlit {
                                                       const Directions& directions, double draftDegrees,
                                                       double grid);
 
-/// Places for slits at the faces left and right, in opposite pairs about the block's middle as far from the
-/// spout's end as from the other; fewer where there is no room.
+/// Places for `wishes.size()` slits: those by hand, drawn onto their face, the others at the faces left and
+/// right, in opposite pairs about the block's middle as far from the spout's end as from the other. Fewer
+/// where there is no room. Obstacles hold what stands there by hand.
 [[nodiscard]] std::vector<Eigen::Vector2d> slitPlaces(const SlitSettings& slits, const Block& block,
-                                                      const Obstacles& obstacles, double steel);
+                                                      const Obstacles& obstacles, double steel,
+                                                      const Wishes& wishes);
+
+/// The mouth of a slit that was put to `wish`, on the face of the block that is meant.
+[[nodiscard]] Eigen::Vector2d onFace(const Eigen::Vector2d& wish, const Block& block);
 
 /// The area of a slit whose mouth's middle is at `place`, on the block's left or right face.
 [[nodiscard]] PlanShape slitShape(const SlitSettings& slits, const Eigen::Vector2d& place);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "mesh/closest_point.h"
 #include "mesh/indexed_mesh.h"
 #include "mold/block.h"
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,21 +20,49 @@ struct Hollow {
     Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< where it stands, mm
     std::vector<int> joints;                          ///< numbers of the joints it takes part in
     bool opensOutside = false;                        ///< its distance from the block's faces means nothing
+    int number = 0;                                   ///< among those of its name, from 1
+    bool each = false;   ///< its steel is told of for itself, not together with all of its name
+    bool byHand = false; ///< a hand put it here: it may stand in the way of others
 };
 
 /// Steel at its thinnest, mm, between two hollows or one and the outside of the block.
 struct ThinSteel {
-    double thickness = 0;
+    double thickness = 0;                            ///< 0 where they meet
     Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< mm, mold's frame: on the first hollow
     std::string first;
     std::string second; ///< "outside" for the block's faces
+    int firstNumber = 0;
+    int secondNumber = 0; ///< 0: the outside
+
+    bool operator==(const ThinSteel&) const = default;
 };
 
-/// The thinnest steel of each pair of names, thinnest first. Distances from the points of each hollow to the
-/// faces of the other, both ways: exact where one of the nearest two places is a point of its mesh, as
-/// it is unless two edges pass each other askew; then it is too large by less than their faces are wide.
-/// Pairs further apart than `furthest` mm are left out.
+/// Trees of boxes about hollows, kept for the next measuring of the same meshes.
+class SteelTrees {
+public:
+    SteelTrees();
+    ~SteelTrees();
+    SteelTrees(SteelTrees&&) noexcept;
+    SteelTrees& operator=(SteelTrees&&) noexcept;
+
+    /// Makes what is missing of those about these hollows, side by side; the others are forgotten.
+    void prepare(const std::vector<Hollow>& hollows);
+    /// Precondition: prepared.
+    [[nodiscard]] const ClosestPoint& of(const SharedMesh& mesh) const { return *m_trees.at(mesh); }
+
+private:
+    std::map<SharedMesh, std::unique_ptr<ClosestPoint>> m_trees;
+};
+
+/// The thinnest steel of each pair of hollows, thinnest first; those that are not told of each for itself
+/// count as one of their name. Distances from the points of each hollow to the faces of the other, both ways:
+/// exact where one of the nearest two places is a point of its mesh, as it is unless two edges pass each
+/// other askew; then it is too large by less than their faces are wide. Pairs further apart than `furthest`
+/// mm are left out.
 [[nodiscard]] std::vector<ThinSteel> thinnestSteel(const std::vector<Hollow>& hollows, const Block& block,
-                                                   double furthest);
+                                                   double furthest, SteelTrees& trees);
+
+/// Of each pair of names the thinnest; thinnest first, as `steel` is.
+[[nodiscard]] std::vector<ThinSteel> byNames(const std::vector<ThinSteel>& steel);
 
 } // namespace moldwright

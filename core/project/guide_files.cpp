@@ -4,6 +4,7 @@
 #include "mesh/closest_point.h"
 #include "mesh/measures.h"
 #include "pins/cgal/inside_test.h"
+#include "project/placed_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -211,6 +212,13 @@ Result<std::vector<ImportantRegion>> readWeights(const std::filesystem::path& fi
         regions.push_back(std::move(*region));
     }
     return regions;
+}
+
+Result<PlacedFeatures> readPlaces(const std::filesystem::path& file) {
+    const Result<Json> list = readList(file, "features");
+    if (!list)
+        return std::unexpected(list.error());
+    return placedFrom(*list, file.string());
 }
 
 std::string weightsText(const std::vector<ImportantRegion>& regions) {

@@ -3,6 +3,7 @@
 
 #include "base/result.h"
 #include "design/design.h"
+#include "mold/placed_feature.h"
 #include "project/importance.h"
 
 #include <filesystem>
@@ -30,5 +31,10 @@ namespace moldwright {
 
 /// The text of such a file: faces listed, one region a line.
 [[nodiscard]] std::string weightsText(const std::vector<ImportantRegion>& regions);
+
+/// What is to be placed by hand, from a JSON file, {"features": [{"kind": "key", "number": 1, "at": [x, y]},
+/// …]}: that is how mold.json lists them, so one of its own serves too. Errors: BadInput, naming the file,
+/// the entry and what is wrong.
+[[nodiscard]] Result<PlacedFeatures> readPlaces(const std::filesystem::path& file);
 
 } // namespace moldwright

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/mold_settings_json.h"
 
+#include "project/placed_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -68,6 +70,7 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"spout", "neck"}, mold.spout.neck);
     at.value({"hollow", "wall"}, mold.hollow.wall);
     at.value({"stock"}, mold.stock);
+    at.features({"placed"}, mold.placed);
     at.value({"ejectors", "count"}, mold.ejectors.count);
     at.value({"ejectors", "diameter"}, mold.ejectors.diameter);
     at.value({"ejectors", "side"}, mold.ejectors.side);
@@ -89,6 +92,7 @@ struct Writer {
     void name(Path path, E choice, const std::array<std::string_view, N>& names) {
         value(path, std::string(names.at(static_cast<std::size_t>(choice))));
     }
+    void features(Path path, const PlacedFeatures& placed) { value(path, placedJson(placed)); }
 };
 
 struct Reader {
@@ -117,6 +121,15 @@ struct Reader {
         if (at == names.end())
             throw Json::other_error::create(501, "unknown name " + found->get<std::string>(), found);
         choice = static_cast<E>(at - names.begin());
+    }
+    void features(Path path, PlacedFeatures& placed) const {
+        const Json* found = find(path);
+        if (found == nullptr)
+            return;
+        const Result<PlacedFeatures> read = placedFrom(*found, "placed");
+        if (!read)
+            throw Json::other_error::create(501, read.error().english(), found);
+        placed = *read;
     }
 };
 

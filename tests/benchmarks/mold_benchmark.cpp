@@ -10,10 +10,12 @@
 #include "mold/half.h"
 #include "mold/mold.h"
 #include "mold/mold_files.h"
+#include "mold/mold_sketch.h"
 #include "support/casts.h"
 #include "support/folders.h"
 #include "support/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace moldwright;
@@ -153,5 +155,49 @@ BENCHMARK(moldWithEverything)
     ->ArgsProduct({{1, 2, 3}, {1, 4}})
     ->ArgNames({"row", "side"})
     ->Iterations(2)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// One step of a drag: a spout, or a key, put elsewhere by hand in a mold with every feature, and where all
+/// of them stand then with the steel between each pair.
+static void liveDrag(benchmark::State& state) {
+    const auto faces = static_cast<int>(state.range(0));
+    const auto side = static_cast<int>(state.range(1));
+    const bool spout = state.range(2) == 0;
+    const IndexedMesh cast = hillyRing(faces);
+    const SideLabels labels = labelSides(cast, {});
+    const MoldSettings settings = everythingOn(side);
+    Result<MoldSketcher> sketcher = failure(ErrorCode::Internal, "not prepared");
+    const double preparing =
+        secondsOf([&] { sketcher = MoldSketcher::prepared(cast, labels, MoldState(), 1, settings); });
+    if (!sketcher)
+        return state.SkipWithError(sketcher.error().english().c_str());
+    const Result<MoldSketch> start = sketcher->sketch({});
+    if (!start)
+        return state.SkipWithError(start.error().english().c_str());
+    PlacedFeature dragged{spout ? Placeable::Spout : Placeable::Key, 0, {}};
+    for (const MoldFeature& feature : start->features)
+        if (feature.stands && feature.stands->kind == dragged.kind && feature.stands->number == 0)
+            dragged.place = feature.stands->place;
+    Best best(state);
+    double worst = 0;
+    for (auto _ : state) {
+        dragged.place.x() += 0.1;
+        Result<MoldSketch> sketch = failure(ErrorCode::Internal, "not sketched");
+        best.round(
+            [&] { worst = std::max(worst, secondsOf([&] { sketch = sketcher->sketch({dragged}); })); });
+        if (!sketch)
+            return state.SkipWithError(sketch.error().english().c_str());
+    }
+    state.counters["faces"] = cast.faceCount();
+    state.counters["cavities"] = side * side;
+    state.counters["worst_ms"] = 1e3 * worst;
+    state.counters["updates_per_s"] = 1 / worst;
+    state.counters["prepared_ms"] = 1e3 * preparing;
+}
+BENCHMARK(liveDrag)
+    ->ArgsProduct({{100'000, 300'000}, {1, 4}, {0, 1}})
+    ->ArgNames({"faces", "side", "key"})
+    ->Iterations(10)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);

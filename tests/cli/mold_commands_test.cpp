@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -116,6 +117,39 @@ TEST_F(MoldCommands, MoldWritesHalvesThatVerify) {
     const test::Run proof = verified(json);
     EXPECT_EQ(proof.exitCode, 0) << proof.err << proof.out;
     EXPECT_EQ(Json::parse(proof.out)["halves"][1]["free_to_move"], true);
+}
+
+TEST_F(MoldCommands, PlacesComeFromAMoldsOwnList) {
+    const std::string file = project(test::frusta(50, 50, 8, 6, 0.1));
+    const std::vector<std::string> words = {"mold", file, "--out", in("out"), "--keys", "2", "--json", "-"};
+    const test::Run found = test::runProgram(words);
+    ASSERT_EQ(found.exitCode, 0) << found.err;
+    Json mold = Json::parse(found.out);
+    const auto key = [](Json& json) -> Json& {
+        return *std::find_if(json["features"].begin(), json["features"].end(),
+                             [](const Json& feature) { return feature["kind"] == "key"; });
+    };
+    EXPECT_EQ(key(mold)["by_hand"], false);
+    key(mold)["at"] = {-33.5, 4};
+    std::ofstream(in("places.json")) << mold.dump();
+    const auto placed = [&](const std::string& places) {
+        std::vector<std::string> more = words;
+        more.insert(more.end(), {"--places", places});
+        return test::runProgram(more);
+    };
+    const test::Run moved = placed(in("places.json"));
+    ASSERT_EQ(moved.exitCode, 0) << moved.err;
+    Json after = Json::parse(moved.out);
+    EXPECT_EQ(key(after)["number"], 1);
+    EXPECT_EQ(key(after)["by_hand"], true);
+    EXPECT_EQ(key(after)["place"], Json({-33.5, 4.0, 0.0}));
+    key(mold)["at"] = {0, 0};
+    std::ofstream(in("places.json")) << mold.dump();
+    const test::Run refused = placed(in("places.json"));
+    EXPECT_EQ(refused.exitCode, 4);
+    EXPECT_NE(refused.err.find("Key 1"), std::string::npos) << refused.err;
+    EXPECT_EQ(placed(in("none.json")).exitCode, 3);
+    EXPECT_EQ(placed("auto").exitCode, 0);
 }
 
 TEST_F(MoldCommands, HalvesSwappedDoNotVerify) {

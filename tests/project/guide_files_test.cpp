@@ -54,6 +54,31 @@ TEST(GuideFiles, WhatIsNoListOfPinsIsRefused) {
         EXPECT_FALSE(readText(text)) << text;
 }
 
+TEST(GuideFiles, PlacesAreReadFromAListOfFeaturesSuchAsAMoldsOwn) {
+    const auto read = [](const std::string& text) {
+        const test::ScratchFolder folder;
+        const std::filesystem::path file = folder.path() / "places.json";
+        std::ofstream(file) << text;
+        return readPlaces(file);
+    };
+    const Result<PlacedFeatures> placed = read(R"({"features": [
+        {"kind": "block", "name": "Block", "place": [0, 0, 0]},
+        {"kind": "key", "number": 2, "at": [-20.5, 3], "diameter": 6},
+        {"kind": "ejector", "number": 1, "at": [1, 2]},
+        {"kind": "ejector", "number": 1, "at": [1, 2]},
+        {"kind": "spout", "number": 1, "at": [4.25, 60]}]})");
+    ASSERT_TRUE(placed) << placed.error().english();
+    const PlacedFeatures expected = {
+        {Placeable::Spout, 0, {4.25, 60}}, {Placeable::Key, 1, {-20.5, 3}}, {Placeable::Ejector, 0, {1, 2}}};
+    EXPECT_EQ(*placed, expected);
+    for (const char* entry :
+         {R"({"kind": "key", "number": 0, "at": [1, 2]})", R"({"kind": "key", "at": [1, 2]})",
+          R"({"kind": "lock", "number": 1, "at": [1, 2]})", R"({"kind": "key", "number": 1, "at": [1]})",
+          R"({"kind": "key", "number": 1, "at": [1, 2]}, {"kind": "key", "number": 1, "at": [1, 3]})"})
+        EXPECT_FALSE(read(std::string(R"({"features": [)") + entry + "]}")) << entry;
+    EXPECT_FALSE(read(R"({"places": []})"));
+}
+
 TEST(GuideFiles, RegionsComeBackToTheBit) {
     const std::vector<ImportantRegion> regions = {{"left \"eye\"", {0, 3, 7}, {2, 16, 1.0 / 3 + 1}, 0.1},
                                                   {"Logo ∅", {1, 2}, {4, 4}, 0}};

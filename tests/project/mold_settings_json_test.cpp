@@ -22,6 +22,7 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     settings.spout.neck = 2.5;
     settings.hollow.wall = 3;
     settings.stock = {80, 125.5};
+    settings.placed = {{Placeable::Spout, 0, {3.5, 40}}, {Placeable::Key, 2, {-20.25, 1e-3}}};
     EXPECT_EQ(moldSettingsFrom(moldSettingsJson(settings)), settings);
 }
 

@@ -49,4 +49,20 @@ double ClosestPoint::distance(const Eigen::Vector3d& p) const {
     return std::sqrt(m_tree->boxes.squared_distance(pointOf(p)));
 }
 
+bool ClosestPoint::meets(const IndexedMesh& other, const Eigen::Vector3d& shift) const {
+    for (int f = 0; f < other.faceCount(); ++f) {
+        const Triangle triangle(pointOf(other.corner(f, 0) + shift), pointOf(other.corner(f, 1) + shift),
+                                pointOf(other.corner(f, 2) + shift));
+        if (!triangle.is_degenerate() && m_tree->boxes.do_intersect(triangle))
+            return true;
+    }
+    return false;
+}
+
+bool ClosestPoint::holds(const Eigen::Vector3d& p) const {
+    // Askew to everything that a mold is made of, so that no ray runs along an edge.
+    const Kernel::Ray_3 ray(pointOf(p), Kernel::Vector_3(0.3127, 0.1689, 0.9347));
+    return m_tree->boxes.number_of_intersected_primitives(ray) % 2 == 1;
+}
+
 } // namespace moldwright
