@@ -2,10 +2,52 @@
 #include "mold/free_place.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace moldwright {
 
 using Eigen::Vector2d;
+
+namespace {
+
+/// Tells of many circles of one size whether they keep clear, as keepsClear() does of the polygons in them.
+class CirclesClear {
+public:
+    CirclesClear(const Obstacles& obstacles, double radius, double steel)
+        : m_obstacles(obstacles), m_radius(radius), m_steel(steel) {
+        for (const PlanShape& obstacle : obstacles) {
+            m_boxes.emplace_back();
+            for (const Vector2d& p : obstacle)
+                m_boxes.back().extend(p);
+        }
+    }
+
+    [[nodiscard]] bool clear(const Vector2d& middle) const {
+        for (std::size_t i = 0; i < m_obstacles.size(); ++i)
+            if (m_boxes[i].exteriorDistance(middle) < m_radius + m_steel && !clearOf(m_obstacles[i], middle))
+                return false;
+        return true;
+    }
+
+private:
+    [[nodiscard]] bool clearOf(const PlanShape& obstacle, const Vector2d& middle) const {
+        // A shape of one point: the distance from the area to it.
+        const double away = planDistance({middle}, obstacle) - m_steel;
+        if (away >= m_radius)
+            return true;
+        // The polygon lies between its circle and the one that touches its sides.
+        return away >= m_radius * std::cos(std::numbers::pi / circleCorners) &&
+               planDistance(planCircle(middle, m_radius, circleCorners), obstacle) >= m_steel;
+    }
+
+    const Obstacles& m_obstacles;
+    double m_radius;
+    double m_steel;
+    std::vector<Eigen::AlignedBox2d> m_boxes;
+};
+
+} // namespace
 
 bool keepsClear(const PlanShape& shape, const Obstacles& obstacles, double steel) {
     return std::all_of(obstacles.begin(), obstacles.end(),
@@ -29,9 +71,10 @@ std::optional<Vector2d> nearestFree(const Vector2d& wish, double radius, const B
     std::stable_sort(candidates.begin(), candidates.end(), [&](const Vector2d& a, const Vector2d& b) {
         return (a - start).squaredNorm() < (b - start).squaredNorm();
     });
+    const CirclesClear circles(obstacles, radius, steel.inside);
     for (const Vector2d& place : candidates)
         if ((place.array() >= low.array() - 1e-9).all() && (place.array() <= high.array() + 1e-9).all() &&
-            keepsClear(planCircle(place, radius, circleCorners), obstacles, steel.inside))
+            circles.clear(place))
             return place;
     return std::nullopt;
 }
