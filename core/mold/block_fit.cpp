@@ -86,9 +86,11 @@ std::optional<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     BlockContent content;
     content.wallX = wallX;
     content.wallY = wallY;
+    std::vector<Eigen::AlignedBox3d> ofKind;
+    for (const CavityKind& kind : kinds())
+        ofKind.push_back(boundingBox(kind.cast));
     for (const CavityCopy& copy : m_layout.copies)
-        content.cavities.extend(
-            boundingBox(kinds()[copy.kind].cast).translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
+        content.cavities.extend(ofKind[copy.kind].translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
     const double depth = std::max(m_mold.settings.floor, m_mold.settings.ceiling) + m_mold.settings.step;
     Eigen::AlignedBox3d deep = content.cavities;
     deep.extend(Vector3d(deep.min() - Vector3d(0, 0, depth)))

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -23,8 +24,12 @@ public:
     SteelMeasure(const std::vector<Hollow>& hollows, const Block& block, double furthest,
                  const SteelTrees& trees)
         : m_hollows(hollows), m_block(block), m_furthest(furthest), m_trees(trees) {
+        std::map<const IndexedMesh*, AlignedBox3d> boxes; // copies share their mesh
         for (const Hollow& hollow : hollows) {
-            m_boxes.push_back(boundingBox(*hollow.mesh).translated(shift(hollow)));
+            const auto [box, isNew] = boxes.try_emplace(hollow.mesh.get());
+            if (isNew)
+                box->second = boundingBox(*hollow.mesh);
+            m_boxes.push_back(box->second.translated(shift(hollow)));
             m_groups.push_back(hollow.name + (hollow.each ? ' ' + std::to_string(hollow.number) : ""));
         }
     }
@@ -134,10 +139,13 @@ private:
             if (bound < least.thickness)
                 near.emplace_back(bound, v);
         }
-        std::sort(near.begin(), near.end());
-        for (const auto& [bound, v] : near) {
+        // Nearest first, and most need no look once a few are known.
+        std::make_heap(near.begin(), near.end(), std::greater());
+        for (auto end = near.end(); end != near.begin(); --end) {
+            const auto [bound, v] = near.front();
             if (bound >= least.thickness)
                 break;
+            std::pop_heap(near.begin(), end, std::greater());
             const Vector3d p = points.mesh->point(v) + shift(points);
             const double distance = tree.distance(p - shift(faces));
             if (distance < least.thickness) {
