@@ -960,7 +960,7 @@
         <translation>Das gewählte Element der Form wieder dem Programm überlassen.</translation>
     </message>
     <message>
-        <source>Place &amp;all automatically</source>
+        <source>Place a&amp;ll automatically</source>
         <translation>A&amp;lle automatisch platzieren</translation>
     </message>
     <message>

@@ -960,7 +960,7 @@
         <translation>将所选的模具特征交还给程序放置。</translation>
     </message>
     <message>
-        <source>Place &amp;all automatically</source>
+        <source>Place a&amp;ll automatically</source>
         <translation>全部自动放置(&amp;L)</translation>
     </message>
     <message>

@@ -341,6 +341,15 @@ std::span<const ActionSpec> actionTable() {
          QT_TRANSLATE_NOOP("Actions", "Move the halves apart along their directions, or together."),
          Needs::MoldBuilt},
 
+        {"place-automatically", QT_TRANSLATE_NOOP("Actions", "&Mold"),
+         QT_TRANSLATE_NOOP("Actions", "Place &automatically"), "restore", "",
+         QT_TRANSLATE_NOOP("Actions", "Give the chosen feature of the mold back to the program."),
+         Needs::ChosenByHand, false, true},
+        {"place-all-automatically", QT_TRANSLATE_NOOP("Actions", "&Mold"),
+         QT_TRANSLATE_NOOP("Actions", "Place a&ll automatically"), "restore", "",
+         QT_TRANSLATE_NOOP("Actions", "Give all features of the mold back that a hand has placed."),
+         Needs::AnyByHand},
+
         {"print-report", QT_TRANSLATE_NOOP("Actions", "&Report"),
          QT_TRANSLATE_NOOP("Actions", "&Print report…"), "print", "Ctrl+P",
          QT_TRANSLATE_NOOP("Actions", "Make a PDF with pictures, draft, volumes and the proof."),

@@ -34,6 +34,8 @@ enum class Needs {
     CastShape,
     ProvedCast,
     MoldBuilt,
+    ChosenByHand, ///< a feature of the mold that stands where a hand put it is chosen
+    AnyByHand,    ///< one stands there
     Running,
     Bending,
     Resting,

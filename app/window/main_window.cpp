@@ -17,6 +17,8 @@
 #include "view/part_view.h"
 #include "window/importance_pages.h"
 #include "window/measure_tool.h"
+#include "window/mold_feature_pages.h"
+#include "window/mold_placing.h"
 #include "window/obstruction_words.h"
 #include "window/paint_tool.h"
 #include "window/pin_pages.h"
@@ -49,7 +51,7 @@ Step stepOf(const QString& id) {
            : pinsChosen(id) || regionsChosen(id)                                             ? Step::Guides
            : id == u"deform"_s || obstructionNumber(id) >= 0 || id.startsWith(u"undercut"_s) ? Step::Deform
            : id == u"cast"_s                                                                 ? Step::Check
-           : id == u"mold"_s || id.startsWith(u"half"_s)                                     ? Step::Mold
+           : id == u"mold"_s || id.startsWith(u"half"_s) || featureOf(id)                    ? Step::Mold
                                                                                              : Step::Part;
 }
 
@@ -62,6 +64,9 @@ QString stillThere(const QString& selected, const Workbench& bench) {
     const std::size_t variants = variantCount(bench.document().committed());
     if (isGone(variantNumber(selected), variants) || (variants == 1 && variantNumber(selected) >= 0))
         return allVariantsId();
+    if (const auto feature = featureOf(selected);
+        feature && !bench.placing().row(feature->kind, feature->number))
+        return u"mold"_s;
     if (isGone(pinNumber(selected), bench.project().pins.size()))
         return u"pins"_s;
     return isGone(regionNumber(selected), bench.project().importance.size()) ? allRegionsId() : selected;
@@ -135,6 +140,7 @@ void MainWindow::refresh() {
         m_workflow->setStanding(step, states[step].standing, states[step].words);
     m_projectModel->setRows(projectRows(m_bench, m_visible));
     select(stillThere(m_selected, m_bench));
+    m_bench.placing().setWanted(stepOf(m_selected) == Step::Mold);
     m_paint->setRegion(regionNumber(m_selected));
     m_tree->select(m_selected);
     m_plots->setRequiredDraft(m_bench.project().design.draftDegrees);
@@ -207,6 +213,10 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::CastShape, idle && project.cast != nullptr);
     add(Needs::ProvedCast, idle && m_bench.castIsProved());
     add(Needs::MoldBuilt, idle && m_bench.moldIsCurrent());
+    add(Needs::AnyByHand, idle && !project.mold.placed.empty());
+    const auto feature = featureOf(m_selected);
+    add(Needs::ChosenByHand,
+        idle && feature && placeByHand(project.mold.placed, feature->kind, feature->number));
     add(Needs::Running, m_bench.running());
     add(Needs::Bending, m_bench.bending());
     const int newest = static_cast<int>(m_bench.keptFrames().size()) - 1;
@@ -273,6 +283,11 @@ void MainWindow::refreshHint() {
         m_hint->setText(tr("<b>Return</b> makes the chosen variant the current one, <b>Ctrl+D</b> duplicates "
                            "it, <b>F2</b> renames it, <b>Del</b> removes it. %1")
                             .arg(keys));
+    else if (planShown())
+        m_hint->setText(
+            tr("<b>Drag</b> a disc to place a feature of the mold, with <b>Shift</b> without steps. "
+               "%1")
+                .arg(keys));
     else if (moldShown())
         m_hint->setText(tr("<b>X</b> opens and closes the mold. %1").arg(keys));
     else

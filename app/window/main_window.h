@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "mold/placed_feature.h"
 #include "scene/scene.h"
 #include "theme/theme.h"
 #include "window/action_table.h"
@@ -133,6 +134,13 @@ private:
     void takePlanePoint(const Eigen::Vector3d& point);
     void snapPlane(const PartingPlane& plane);
 
+    // main_window_mold.cpp
+    /// Whether the views show where the mold's features stand.
+    [[nodiscard]] bool planShown() const;
+    void serveFeatures(ViewPane& pane);
+    void dragFeature(const PartView& view, const scene::FeatureAt& at, const scene::Ray& ray, bool exactly);
+    void connectFeatureActions();
+
     // main_window_importance.cpp
     void connectImportanceActions();
     void usePaintTool();
@@ -217,6 +225,8 @@ private:
     Tool m_tool = Tool::None;
     std::vector<Eigen::Vector3d> m_planePoints; ///< clicked so far, mm
     std::optional<bool> m_pinInside;            ///< whether the pin that is dragged lies inside the part
+    std::optional<PlacedFeature> m_dragged;     ///< the mold's feature in hand, where it is dragged to
+    Eigen::Vector2d m_dragOrigin = {0, 0};      ///< of its frame, mm in the mold's
     enum class Fit { Not, AsTheyLook, FromHome };
     Fit m_fitWhenDrawn = Fit::FromHome; ///< how the next surfaces are to be brought into sight
 

@@ -149,6 +149,7 @@ void MainWindow::connectDesignActions() {
         m_view->setFocus();
         m_bench.restoreShape();
     });
+    connectFeatureActions();
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
     m_actions.on(u"print-report"_s, [this] { chooseFileForReport(); });
     m_actions.on(u"open-mold"_s, [this] {

@@ -7,6 +7,7 @@
 #include "window/importance_pages.h"
 #include "window/importance_paint.h"
 #include "window/measure_tool.h"
+#include "window/mold_feature_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/undercut_pages.h"
@@ -58,6 +59,8 @@ std::vector<scene::Chip> MainWindow::guideChips(const scene::Scene& scene) const
     if (scene.surface() && regionsChosen(m_selected) && !m_modeBefore)
         std::ranges::copy(regionChips(m_bench, scene.surface()->mesh, m_visible, m_selected),
                           std::back_inserter(chips));
+    if (planShown())
+        std::ranges::copy(featureChips(m_bench, m_selected), std::back_inserter(chips));
     for (const Eigen::Vector3d& point : m_planePoints)
         chips.push_back({point, {}, scene.colours().accent});
     return chips;

@@ -8,6 +8,7 @@
 #include "window/importance_pages.h"
 #include "window/importance_paint.h"
 #include "window/measure_tool.h"
+#include "window/mold_feature_pages.h"
 #include "window/obstruction_words.h"
 #include "window/paint_tool.h"
 #include "window/pin_pages.h"
@@ -85,6 +86,7 @@ void MainWindow::buildViews(QWidget* parent) {
 void MainWindow::connectPane(ViewPane& pane) {
     m_measure->serve(pane);
     serveTools(pane);
+    serveFeatures(pane);
     PartView* view = &pane.view();
     view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
     view->scene().setLook(theme().scene, view->devicePixelRatioF());
@@ -229,7 +231,8 @@ void MainWindow::refreshView(ViewPane& pane) {
     PartView& view = pane.view();
     scene::Scene& scene = view.scene();
     const bool inMold = moldShown() && settings.content == ViewContent::Newest;
-    view.setEditable(!inMold && !showsOther(pane) && m_bench.editable());
+    const bool inPlan = planShown() && settings.content == ViewContent::Newest;
+    view.setEditable(!inMold && !inPlan && !showsOther(pane) && m_bench.editable());
     const ShownSurface surface = m_bench.surface(settings.content);
     if (m_bench.shownMesh() && !surface.drawn)
         return; // the last picture stays until the next one can be drawn
@@ -255,6 +258,7 @@ void MainWindow::refreshView(ViewPane& pane) {
     const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
     scene.setPath(measured ? m_measure->measurement().path() : m_planePoints);
     showGuides(pane, surface);
+    scene.setPlan(inPlan ? shownPlan(m_bench, m_selected) : scene::ShownPlan());
     view.redraw();
 }
 

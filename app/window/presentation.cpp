@@ -6,6 +6,7 @@
 #include "project/variants.h"
 #include "theme/theme.h"
 #include "window/importance_pages.h"
+#include "window/mold_feature_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/row_id.h"
@@ -188,9 +189,10 @@ void addMoldRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Vi
     if (bench.moldIsCurrent())
         moldRow.visible = visible.mold;
     rows.push_back(moldRow);
+    const int parent = static_cast<int>(rows.size()) - 1;
+    addFeatureRows(rows, parent, bench);
     if (!bench.mold())
         return;
-    const int parent = static_cast<int>(rows.size()) - 1;
     for (const int side : {1, 2})
         rows.push_back({.id = u"half-%1"_s.arg(side),
                         .parent = parent,

@@ -3,6 +3,7 @@
 
 #include "window/action_table.h"
 #include "window/importance_pages.h"
+#include "window/mold_feature_pages.h"
 #include "window/mold_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
@@ -284,6 +285,8 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
         return deformPage(bench, actions);
     if (selected == u"cast"_s)
         return castPage(bench, actions);
+    if (featureOf(selected))
+        return featurePage(selected, bench, actions);
     if (selected == u"mold"_s || selected.startsWith(u"half"_s))
         return moldPage(bench, actions);
     return partPage(bench, actions);

@@ -8,6 +8,7 @@
 #include "scene/direction_handle.h"
 #include "scene/plane_handle.h"
 #include "window/importance_pages.h"
+#include "window/mold_feature_pages.h"
 #include "window/mold_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
@@ -252,6 +253,7 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     fillMeasures(panel, bench);
     fillProof(panel, bench);
     fillMoldPage(panel, bench);
+    fillFeaturePage(panel, bench);
     fillObstruction(panel, bench);
     fillUndercutPage(panel, bench);
     fillPinPage(panel, bench);
@@ -261,6 +263,7 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
 void applyProperty(Workbench& bench, const QString& page, const QString& id, const QVariant& value,
                    bool preview) {
     if (applyTreatment(bench, id, value.toInt()) ||
+        applyFeatureValue(bench, id, page, value.toDouble(), preview) ||
         applyPinValue(bench, id, page, value.toDouble(), preview) ||
         applyRegionValue(bench, id, page, value.toDouble(), preview))
         return;

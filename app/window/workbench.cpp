@@ -4,6 +4,7 @@
 #include "mesh/measures.h"
 #include "project/edits.h"
 #include "project/placing.h"
+#include "window/mold_placing.h"
 #include "window/sentence.h"
 
 namespace moldwright {
@@ -27,7 +28,7 @@ bool stateWaits(const LiveSettings& told, const LiveSettings& heard) {
 
 } // namespace
 
-Workbench::Workbench(QObject* parent) : QObject(parent) {
+Workbench::Workbench(QObject* parent) : QObject(parent), m_placing(new MoldPlacing(m_document, this)) {
     connect(&m_document, &Document::changed, this, [this] {
         postLive();
         forgetKept();
@@ -36,8 +37,10 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
         askPart();
         forgetOldMaps();
         askRanks();
+        m_placing->follow();
         Q_EMIT changed();
     });
+    connect(m_placing, &MoldPlacing::changed, this, &Workbench::changed);
     connect(&m_ranks, &LiveRanks::answered, this, &Workbench::takeRanks);
     connect(&m_liveFrames, &LiveFrames::answered, this, &Workbench::takeKept);
     connect(&m_document, &Document::historyChanged, this, &Workbench::changed);

@@ -34,6 +34,8 @@
 
 namespace moldwright {
 
+class MoldPlacing;
+
 /// A mesh that was read and found sound, waiting for its unit.
 struct OpenedMesh {
     QString name;
@@ -143,6 +145,10 @@ public:
     [[nodiscard]] bool moldIsCurrent() const;
     /// Half 1 or 2 of the mold, ready to be drawn. Precondition: there is a mold.
     [[nodiscard]] const scene::SharedDrawnMesh& drawnHalf(int side) const { return built().halves[side - 1]; }
+
+    /// Where the mold's features stand.
+    [[nodiscard]] MoldPlacing& placing() { return *m_placing; }
+    [[nodiscard]] const MoldPlacing& placing() const { return *m_placing; }
 
     // Variants: other designs of the part, by their numbers
     [[nodiscard]] VariantComparison& variants() { return m_variants; }
@@ -347,6 +353,7 @@ private:
     void complain(const Error& error, const QString& what);
 
     Document m_document;
+    MoldPlacing* m_placing; ///< a child
     Background m_background;
     LiveAnalysis m_analysis;
     struct {

@@ -42,6 +42,7 @@ struct SceneColours {
     Rgb pin;
     Rgb pinLine;
     Rgb crease;
+    Rgb errorInk;
     Rgb chip;
     Rgb chipEdge;
     Rgb text;

@@ -40,6 +40,8 @@ Rgb inkColour(Ink ink, const SceneColours& colours) {
         return colours.side1Ink;
     case Ink::Side2:
         return colours.side2Ink;
+    case Ink::Error:
+        return colours.errorInk;
     }
     return colours.text;
 }

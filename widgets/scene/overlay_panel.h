@@ -17,7 +17,7 @@ class vtkRenderer;
 namespace moldwright::scene {
 
 /// The ink of a piece of text in the view.
-enum class Ink { Text, Secondary, Side1, Side2 };
+enum class Ink { Text, Secondary, Side1, Side2, Error };
 
 /// What stands on a chip or legend in the view. Text is UTF-8, already translated.
 struct PanelContent {

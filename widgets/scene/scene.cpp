@@ -64,6 +64,7 @@ Scene::Scene()
     m_front->AddActor(m_filling.actor());
     m_front->AddViewProp(m_path.actor());
     m_pins.addTo(m_front);
+    m_features.addTo(m_front);
     m_brush.addTo(m_front);
     m_overlay.addTo(m_front);
     addLights(m_back);
@@ -98,6 +99,7 @@ void Scene::setLook(const SceneColours& colours, double scale) {
     m_cones[1].setLook(colours.side2, scale);
     m_path.setLook(colours.accent, 1.8 * scale);
     m_pins.setLook(colours, scale);
+    m_features.setLook(colours, scale);
     m_brush.setScale(scale);
     m_filling.setColour(colours.accent);
     m_cube.setLook(colours, m_words, scale);
@@ -314,6 +316,8 @@ std::vector<Eigen::Vector3d> Scene::outline() const {
     if (m_state && m_directionsVisible && m_surface.mesh())
         for (const int side : {1, 2})
             points.push_back(arrowTip(side));
+    for (const Outline& line : m_features.plan().lines)
+        points.insert(points.end(), line.begin(), line.end());
     return points;
 }
 
@@ -340,6 +344,7 @@ void Scene::arrange(const Camera& camera, ViewSize view) {
     }
     m_cube.arrange(camera, view);
     m_pins.arrange(camera, view);
+    m_features.arrange(camera, view);
     m_overlay.arrange(camera, view);
 }
 

@@ -9,6 +9,7 @@
 #include "scene/cone_layer.h"
 #include "scene/cut_layer.h"
 #include "scene/drawn_mesh.h"
+#include "scene/feature_layer.h"
 #include "scene/filling_layer.h"
 #include "scene/grips.h"
 #include "scene/half_layer.h"
@@ -102,6 +103,9 @@ public:
     [[nodiscard]] const SharedMesh& filling() const { return m_filling.walls(); }
     void setPins(const ShownPins& pins) { m_pins.set(pins); }
     [[nodiscard]] const PinLayer& pins() const { return m_pins; }
+    /// The mold's features on the parting plane.
+    void setPlan(const ShownPlan& plan) { m_features.set(plan); }
+    [[nodiscard]] const FeatureLayer& features() const { return m_features; }
     void setChips(const std::vector<Chip>& chips) { m_overlay.setChips(chips); }
     [[nodiscard]] const Overlay& overlay() const { return m_overlay; }
 
@@ -163,6 +167,7 @@ private:
     BrushLayer m_brush;
     PinLayer m_pins;
     FillingLayer m_filling;
+    FeatureLayer m_features;
     OrientationCube m_cube;
     Overlay m_overlay;
     std::optional<MoldState> m_state;

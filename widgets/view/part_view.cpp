@@ -176,6 +176,7 @@ void PartView::setPicking(Picking picking) {
 void PartView::updatePointer() {
     setCursor(m_picking != Picking::Nothing ? Qt::CrossCursor
               : m_drag                      ? Qt::ClosedHandCursor
+              : m_feature                   ? Qt::ClosedHandCursor
               : m_hovered && m_editable     ? Qt::OpenHandCursor
                                             : Qt::ArrowCursor);
 }
@@ -189,6 +190,14 @@ Eigen::Vector3d PartView::pivotAt(const Eigen::Vector2d& at) const {
     if (const auto hit = hitAt(at))
         return hit->point;
     return m_scene.surface() ? m_scene.middle() : m_camera.focus;
+}
+
+std::optional<scene::FeatureAt> PartView::featureUnder(const Eigen::Vector2d& at) const {
+    return m_scene.features().at(m_camera, viewSize(), at.x(), at.y(), gripReach * devicePixelRatioF());
+}
+
+double PartView::pixelLength() const {
+    return m_camera.pixelSize(viewSize()) * devicePixelRatioF();
 }
 
 std::optional<scene::Grip> PartView::gripUnder(const Eigen::Vector2d& at) const {

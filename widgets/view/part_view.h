@@ -51,6 +51,8 @@ public:
     void setBrushRadius(double radius);
 
     [[nodiscard]] const scene::Camera& camera() const { return m_camera; }
+    /// The length of a logical pixel at the camera's focus, mm.
+    [[nodiscard]] double pixelLength() const;
     void setPerspective(bool perspective);
     /// Looks from there without moving there: the next picture is as fine as can be. Nobody is told.
     void standAt(const scene::Camera& camera);
@@ -100,6 +102,13 @@ Q_SIGNALS:
     void pinDragCancelled();
     /// A pin of the scene was clicked.
     void pinClicked(const moldwright::scene::PinAt& pin);
+    /// A feature of the mold is dragged: the ray under the pointer, to be taken as it is when `exactly`; then
+    /// let go, or not.
+    void featureDragged(const moldwright::scene::FeatureAt& feature, const moldwright::scene::Ray& ray,
+                        bool exactly);
+    void featureDropped();
+    void featureDragCancelled();
+    void featureClicked(const moldwright::scene::FeatureAt& feature);
     /// The mark of a chip was clicked.
     void markClicked(int chip);
     void menuRequested(const QPoint& globalPlace);
@@ -127,6 +136,7 @@ private:
     [[nodiscard]] Eigen::Vector2d pixel(const QPointF& place) const;
     [[nodiscard]] std::optional<scene::SurfacePicker::Hit> hitAt(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] Eigen::Vector3d pivotAt(const Eigen::Vector2d& pixel) const;
+    [[nodiscard]] std::optional<scene::FeatureAt> featureUnder(const Eigen::Vector2d& pixel) const;
     [[nodiscard]] std::optional<scene::Grip> gripUnder(const Eigen::Vector2d& pixel) const;
     void leftPressed(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys);
     void beginPainting(const Eigen::Vector2d& at, bool inverted);
@@ -168,7 +178,8 @@ private:
     bool m_editable = false;
     Picking m_picking = Picking::Nothing;
     std::optional<std::variant<scene::PlaneDrag, scene::DirectionDrag>> m_drag;
-    std::optional<int> m_pin; ///< the pin that is held
+    std::optional<int> m_pin;                  ///< the pin that is held
+    std::optional<scene::FeatureAt> m_feature; ///< the feature that is
     double m_brushRadius = 0;
     bool m_stroke = false;                ///< one is being drawn
     bool m_inverted = false;              ///< the lasso is

@@ -66,7 +66,12 @@ void PartView::leftPressed(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys
         m_pin = pin->number;
         return;
     }
-    if (const auto grip = gripUnder(at); grip && m_picking == Picking::Nothing) {
+    if (m_picking != Picking::Nothing)
+        return;
+    if (const auto feature = featureUnder(at)) {
+        m_feature = feature;
+        updatePointer();
+    } else if (const auto grip = gripUnder(at)) {
         takeHold(*grip, at);
         updatePointer();
     }
@@ -100,6 +105,10 @@ void PartView::mouseMoveEvent(QMouseEvent* event) {
         paintTo(at);
     } else if (m_pin && m_dragged) {
         dragPin(at);
+    } else if (m_feature && m_dragged) {
+        moving();
+        Q_EMIT featureDragged(*m_feature, m_camera.rayAt(at.x(), at.y(), viewSize()),
+                              event->modifiers().testFlag(Qt::ShiftModifier));
     } else if (m_drag && m_dragged) {
         moving();
         Q_EMIT dragPreviewed(dragged(at, event->modifiers().testFlag(Qt::ControlModifier)), *m_hovered);
@@ -159,12 +168,19 @@ void PartView::moveCamera(scene::Motion motion, const Eigen::Vector2d& from, con
 
 void PartView::mouseReleaseEvent(QMouseEvent* event) {
     const Eigen::Vector2d at = pixel(event->position());
-    if (!m_dragged)
-        m_pin.reset(); // a click
+    if (!m_dragged) { // a click
+        m_pin.reset();
+        m_feature.reset();
+        updatePointer();
+    }
     if (event->button() == Qt::LeftButton && (m_stroke || !m_lasso.empty())) {
         endPainting();
     } else if (event->button() == Qt::LeftButton && m_pin && m_dragged) {
         Q_EMIT pinDropped(*std::exchange(m_pin, std::nullopt));
+    } else if (event->button() == Qt::LeftButton && m_feature && m_dragged) {
+        m_feature.reset();
+        updatePointer();
+        Q_EMIT featureDropped();
     } else if (event->button() == Qt::LeftButton && m_drag) {
         const MoldState state = dragged(at, event->modifiers().testFlag(Qt::ControlModifier));
         m_drag.reset();
@@ -199,6 +215,10 @@ bool PartView::clickedMark(const Eigen::Vector2d& at) {
     const double reach = gripReach * devicePixelRatioF();
     if (const auto pin = m_scene.pins().at(m_camera, viewSize(), at.x(), at.y(), reach)) {
         Q_EMIT pinClicked(*pin);
+        return true;
+    }
+    if (const auto feature = featureUnder(at)) {
+        Q_EMIT featureClicked(*feature);
         return true;
     }
     const int chip = m_scene.overlay().markAt(m_camera, viewSize(), at.x(), at.y(), reach);
@@ -333,6 +353,12 @@ bool PartView::cancelDrag() {
     if (std::exchange(m_pin, std::nullopt)) {
         m_dragged = true;
         Q_EMIT pinDragCancelled();
+        return true;
+    }
+    if (std::exchange(m_feature, std::nullopt)) {
+        m_dragged = true;
+        updatePointer();
+        Q_EMIT featureDragCancelled();
         return true;
     }
     if (!m_drag)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "window/live_sketch.h"
+
+namespace moldwright {
+
+LiveSketch::LiveSketch(QObject* parent) : QObject(parent), m_thread(QStringLiteral("sketch")) {}
+
+LiveSketch::~LiveSketch() {
+    (void)m_waiting.take();
+}
+
+void LiveSketch::ask(const SketchRequest& request) {
+    m_waiting.put(request);
+    m_thread.post([this] { work(); });
+}
+
+void LiveSketch::work() {
+    const std::optional<SketchRequest> request = m_waiting.take();
+    if (!request)
+        return; // a newer one took the place of the one that woke this
+    const auto answer = std::make_shared<const SketchAnswer>(*request, sketch(*request));
+    QMetaObject::invokeMethod(this, [this, answer] { Q_EMIT answered(answer); });
+}
+
+Result<MoldSketch> LiveSketch::sketch(const SketchRequest& request) {
+    if (request.cast != m_cast || !m_sketcher || !m_sketcher->serves(request.settings)) {
+        const CastResult& cast = *request.cast;
+        m_sketcher.reset();
+        m_cast = request.cast;
+        Result<MoldSketcher> prepared =
+            MoldSketcher::prepared(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, request.settings);
+        if (!prepared)
+            return std::unexpected(prepared.error());
+        m_sketcher.emplace(*std::move(prepared));
+    }
+    return m_sketcher->sketch(request.settings.placed);
+}
+
+} // namespace moldwright

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#pragma once
+
+#include "mold/mold_sketch.h"
+#include "project/project.h"
+#include "window/latest.h"
+#include "window/work_thread.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace moldwright {
+
+/// The mold of a cast with these settings, to be sketched.
+struct SketchRequest {
+    std::shared_ptr<const CastResult> cast; ///< never null
+    MoldSettings settings;
+
+    bool operator==(const SketchRequest&) const = default;
+};
+
+struct SketchAnswer {
+    SketchRequest request;
+    Result<MoldSketch> sketch;
+};
+
+/// Says where a mold's features would stand while they are moved, on a thread of its own; what does not
+/// follow from their places is prepared once. Only the newest request waits.
+class LiveSketch : public QObject {
+    Q_OBJECT
+public:
+    explicit LiveSketch(QObject* parent = nullptr);
+    ~LiveSketch() override;
+
+    void ask(const SketchRequest& request);
+
+Q_SIGNALS:
+    void answered(const std::shared_ptr<const moldwright::SketchAnswer>& answer);
+
+private:
+    void work();
+    [[nodiscard]] Result<MoldSketch> sketch(const SketchRequest& request);
+
+    Latest<SketchRequest> m_waiting;
+    std::shared_ptr<const CastResult> m_cast; ///< of m_sketcher
+    std::optional<MoldSketcher> m_sketcher;
+    WorkThread m_thread;
+};
+
+} // namespace moldwright

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The mold's features in the views: chosen, dragged in the parting plane, given back to the program.
+#include "window/main_window.h"
+
+#include "view/part_view.h"
+#include "window/mold_feature_pages.h"
+#include "window/mold_placing.h"
+#include "window/placing_snap.h"
+#include "window/view_pane.h"
+#include "window/workbench.h"
+
+#include <cmath>
+#include <utility>
+
+namespace moldwright {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double snapReach = 6; ///< logical pixels
+
+/// Where a ray meets the parting plane, in the mold's frame; none where it runs along it.
+std::optional<Eigen::Vector2d> onPlane(const scene::Ray& ray, const Eigen::Isometry3d& partToMold) {
+    const Eigen::Vector3d origin = partToMold * ray.origin;
+    const Eigen::Vector3d way = partToMold.linear() * ray.direction;
+    constexpr double alongIt = 0.02;
+    if (std::abs(way.z()) < alongIt)
+        return std::nullopt;
+    return Eigen::Vector2d((origin - way * (origin.z() / way.z())).head<2>());
+}
+
+/// The row of a feature in a view; null where an answer that the view has not shown yet left it out.
+const PlacedRow* shownRow(const MoldPlacing& placing, const scene::FeatureAt& at) {
+    const auto row = static_cast<std::size_t>(at.feature);
+    const auto copy = static_cast<std::size_t>(at.copy);
+    const bool known = row < placing.rows().size() && copy < placing.rows()[row].copies.size();
+    return known ? &placing.rows()[row] : nullptr;
+}
+
+} // namespace
+
+bool MainWindow::planShown() const {
+    const bool chosen = m_selected == u"mold"_s || featureOf(m_selected);
+    return chosen && m_bench.castShown() && m_visible.mold && !moldShown();
+}
+
+void MainWindow::serveFeatures(ViewPane& pane) {
+    PartView* view = &pane.view();
+    connect(view, &PartView::featureDragged, this,
+            [this, view](const scene::FeatureAt& at, const scene::Ray& ray, bool exactly) {
+                dragFeature(*view, at, ray, exactly);
+            });
+    connect(view, &PartView::featureDropped, this, [this] {
+        if (const auto feature = std::exchange(m_dragged, std::nullopt))
+            m_bench.placing().place(*feature, {}, false);
+    });
+    connect(view, &PartView::featureDragCancelled, this, [this] {
+        m_dragged.reset();
+        m_bench.document().endPreview();
+    });
+    connect(view, &PartView::featureClicked, this, [this](const scene::FeatureAt& at) {
+        if (const PlacedRow* row = shownRow(m_bench.placing(), at))
+            select(featureId(row->stands.kind, row->stands.number));
+    });
+}
+
+void MainWindow::dragFeature(const PartView& view, const scene::FeatureAt& at, const scene::Ray& ray,
+                             bool exactly) {
+    const MoldPlacing& placing = m_bench.placing();
+    if (m_bench.background().busy() || placing.sketch() == nullptr)
+        return;
+    const auto pointed = onPlane(ray, placing.sketch()->partToMold);
+    // Rows come and go with answers: the one that is held is known by its name.
+    const PlacedRow* row =
+        m_dragged ? placing.row(m_dragged->kind, m_dragged->number) : shownRow(placing, at);
+    if (!pointed || row == nullptr)
+        return;
+    if (!m_dragged)
+        m_dragOrigin = row->copies.at(static_cast<std::size_t>(at.copy))->origin;
+    const Eigen::Vector2d wish = *pointed - m_dragOrigin;
+    PlacedFeature feature = row->stands;
+    feature.place = exactly ? (wish * 100).array().round().matrix() / 100
+                            : snapped(wish, *row, placing.rows(), snapReach * view.pixelLength());
+    m_dragged = feature;
+    select(featureId(feature.kind, feature.number));
+    m_bench.placing().place(feature, {}, true);
+}
+
+void MainWindow::connectFeatureActions() {
+    m_actions.on(u"place-automatically"_s, [this] {
+        if (const auto feature = featureOf(m_selected))
+            m_bench.placing().placeAutomatically(feature->kind, feature->number);
+    });
+    m_actions.on(u"place-all-automatically"_s, [this] { m_bench.placing().placeAllAutomatically(); });
+}
+
+} // namespace moldwright
