@@ -42,6 +42,7 @@ std::vector<Seen> framesAround(const Subject& subject, const std::function<void(
         change(changed);
         return changed;
     };
+    request.bendMeanwhile = [] { return true; };
     LiveSettings wanted = live;
     change(wanted);
     const Task task;
