@@ -126,6 +126,8 @@ BentShape bendHearing(PartedPart& part, Attempt& attempt, DesignRun& run, const 
 Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& bent, const ShapeGoal& goal,
                                     const Task& task, DesignRun& run) {
     const DesignRequest& request = run.request();
+    if (run.next())
+        return DesignRun::cancelled();
     DesignResult result;
     result.state = part.state;
     result.localGlobalIterations = bent.iterations;
