@@ -967,6 +967,14 @@
         <source>Give all features of the mold back that a hand has placed.</source>
         <translation>Alle von Hand gesetzten Elemente der Form wieder dem Programm überlassen.</translation>
     </message>
+    <message>
+        <source>Accept in a lass&amp;o</source>
+        <translation>In einem Lass&amp;o annehmen</translation>
+    </message>
+    <message>
+        <source>Draw around suggested points: all inside are pinned. Esc leaves.</source>
+        <translation>Um vorgeschlagene Punkte herum zeichnen: Alle darin werden angeheftet. Esc beendet.</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1275,16 +1283,20 @@
         <translation>Wichtigkeit</translation>
     </message>
     <message>
-        <source>Shown on the part as opened only.</source>
-        <translation>Nur am Teil, wie geöffnet, zu sehen.</translation>
-    </message>
-    <message>
         <source>like the rest</source>
         <translation>wie der Rest</translation>
     </message>
     <message>
         <source>×32 or more</source>
         <translation>×32 oder mehr</translation>
+    </message>
+    <message>
+        <source>Looking where the faces come from</source>
+        <translation>Herkunft der Flächen wird gesucht</translation>
+    </message>
+    <message>
+        <source>Not known for this shape.</source>
+        <translation>Für diese Gestalt nicht bekannt.</translation>
     </message>
 </context>
 <context>
@@ -3849,6 +3861,10 @@
         <source>&lt;b&gt;Drag&lt;/b&gt; a disc to place a feature of the mold, with &lt;b&gt;Shift&lt;/b&gt; without steps. %1</source>
         <translation>Eine Scheibe &lt;b&gt;ziehen&lt;/b&gt;, um ein Element der Form zu setzen, mit &lt;b&gt;Umschalt&lt;/b&gt; ohne Schritte. %1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Draw&lt;/b&gt; around the suggested points that shall be pinned. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;Zeichnen&lt;/b&gt; Sie um die vorgeschlagenen Punkte herum, die angeheftet werden sollen. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -4590,6 +4606,14 @@
         <source>There is a variant %1 already. Take another name.</source>
         <translation>Es gibt schon eine Variante %1. Nehmen Sie einen anderen Namen.</translation>
     </message>
+    <message>
+        <source>Take suggested pins</source>
+        <translation>Vorgeschlagene Heftpunkte nehmen</translation>
+    </message>
+    <message>
+        <source>No suggested point is seen inside the lasso.</source>
+        <translation>Im Lasso ist kein vorgeschlagener Punkt zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -4603,6 +4627,13 @@
     <message>
         <source>The search for pins was cancelled.</source>
         <translation>Die Suche nach Stiften wurde abgebrochen.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PaintTool</name>
+    <message>
+        <source>A lasso looks for its faces once the run has ended. The other brushes paint while it goes on.</source>
+        <translation>Ein Lasso sucht seine Flächen erst, wenn der Lauf zu Ende ist. Die anderen Pinsel malen währenddessen.</translation>
     </message>
 </context>
 </TS>

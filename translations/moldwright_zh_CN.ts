@@ -967,6 +967,14 @@
         <source>Give all features of the mold back that a hand has placed.</source>
         <translation>将所有手动放置的模具特征交还给程序。</translation>
     </message>
+    <message>
+        <source>Accept in a lass&amp;o</source>
+        <translation>接受套索内的点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Draw around suggested points: all inside are pinned. Esc leaves.</source>
+        <translation>圈出建议点：圈内的点全部被固定。Esc 退出。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1275,16 +1283,20 @@
         <translation>重要性</translation>
     </message>
     <message>
-        <source>Shown on the part as opened only.</source>
-        <translation>只在打开时的零件上显示。</translation>
-    </message>
-    <message>
         <source>like the rest</source>
         <translation>与其余相同</translation>
     </message>
     <message>
         <source>×32 or more</source>
         <translation>×32 或以上</translation>
+    </message>
+    <message>
+        <source>Looking where the faces come from</source>
+        <translation>正在查找各面的来源</translation>
+    </message>
+    <message>
+        <source>Not known for this shape.</source>
+        <translation>此形状无此信息。</translation>
     </message>
 </context>
 <context>
@@ -3849,6 +3861,10 @@
         <source>&lt;b&gt;Drag&lt;/b&gt; a disc to place a feature of the mold, with &lt;b&gt;Shift&lt;/b&gt; without steps. %1</source>
         <translation>&lt;b&gt;拖动&lt;/b&gt;圆点以放置模具特征，按住 &lt;b&gt;Shift&lt;/b&gt; 则不按步。%1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Draw&lt;/b&gt; around the suggested points that shall be pinned. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;圈出&lt;/b&gt;要固定的建议点。&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -4590,6 +4606,14 @@
         <source>There is a variant %1 already. Take another name.</source>
         <translation>已有变型 %1。请取另一个名称。</translation>
     </message>
+    <message>
+        <source>Take suggested pins</source>
+        <translation>采用建议的固定点</translation>
+    </message>
+    <message>
+        <source>No suggested point is seen inside the lasso.</source>
+        <translation>套索内没有可见的建议点。</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -4603,6 +4627,13 @@
     <message>
         <source>The search for pins was cancelled.</source>
         <translation>固定点的搜索已取消。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PaintTool</name>
+    <message>
+        <source>A lasso looks for its faces once the run has ended. The other brushes paint while it goes on.</source>
+        <translation>套索要等运行结束后才查找其中的面。其他画笔在运行期间也能绘制。</translation>
     </message>
 </context>
 </TS>

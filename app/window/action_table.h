@@ -23,6 +23,7 @@ enum class Needs {
     EditablePart,  ///< idle, or a run goes on that takes up what is changed
     EditablePlane, ///< the same, and there is a plane
     SuggestedPlane,
+    SuggestedPins,
     SuggestedTips,
     Pins,
     ChosenGuide,  ///< or a variant that may go

@@ -193,6 +193,7 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::EditablePart, part && editable);
     add(Needs::EditablePlane, plane && editable);
     add(Needs::SuggestedPlane, idle && m_bench.suggestedPlane().has_value());
+    add(Needs::SuggestedPins, editable && !m_bench.suggestionsInView().empty());
     add(Needs::SuggestedTips,
         editable && std::ranges::count(m_bench.suggestionsInView(), PinKind::Tip, &SuggestedPin::kind) > 0);
     add(Needs::Pins, editable && !project.pins.empty());

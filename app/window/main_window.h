@@ -54,6 +54,7 @@ enum class Tool {
     LayFlat,
     Pin,
     PinInside,
+    AcceptLasso,
     PlaneOnFace,
     PlaneByPoints,
     Paint,
@@ -162,7 +163,7 @@ private:
     void showCut(ViewPane& pane);
     [[nodiscard]] std::vector<scene::Chip> chipsIn(const ViewPane& pane, const FaceMap* map) const;
     [[nodiscard]] std::vector<scene::Chip> directionChips(const ViewPane& pane) const;
-    [[nodiscard]] std::vector<scene::Chip> guideChips(const scene::Scene& scene) const;
+    [[nodiscard]] std::vector<scene::Chip> guideChips(const ViewPane& pane) const;
     /// Whether a view shows another variant than the current one.
     [[nodiscard]] bool showsOther(const ViewPane& pane) const;
     void showMold(scene::Scene& scene, bool shown);

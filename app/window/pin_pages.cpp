@@ -66,7 +66,7 @@ PropertySection suggestedSection(const Workbench& bench, const Actions& actions)
                                             true}},
                     Property{u"pin-tips"_s, Words::tr("Ends of limbs"), {}, ReadingProperty{}}};
     section.notes = {Words::tr("Click a faint ring in the view to take it.")};
-    section.buttons = {actions[u"accept-tips"_s]};
+    section.buttons = {actions[u"accept-tips"_s], actions[u"accept-lasso"_s]};
     return section;
 }
 

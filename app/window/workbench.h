@@ -15,10 +15,12 @@
 #include "window/live_analysis.h"
 #include "window/live_frames.h"
 #include "window/live_maps.h"
+#include "window/live_origins.h"
 #include "window/live_ranks.h"
 #include "window/mesh_figures.h"
 #include "window/plane_offers.h"
 #include "window/run_control.h"
+#include "window/shown_surface.h"
 #include "window/variant_comparison.h"
 
 #include <QObject>
@@ -47,19 +49,6 @@ struct Advice {
     QString headline;
     QString text;
     QString action; ///< id of the command, or empty
-};
-
-/// A surface as a view shows it. All null while it is not ready to be drawn.
-struct ShownSurface {
-    scene::SharedDrawnMesh drawn;
-    bool coarse = false;                                ///< only the stand-in's analysis is there
-    const DraftAnalysis* analysis = nullptr;            ///< of the surface; of its stand-in when `coarse`
-    const DraftAnalysis* standInAnalysis = nullptr;     ///< of a large surface
-    std::shared_ptr<const scene::SurfacePicker> picker; ///< null while it is not made
-    const Variant* variant = nullptr;                   ///< whose it is; never null
-
-    /// What `analysis` is of.
-    [[nodiscard]] SharedMesh analysed() const { return coarse ? drawn->standIn->mesh : drawn->mesh; }
 };
 
 /// Everything the window works on: the document, what is derived from it, and the jobs that change it. It
@@ -231,6 +220,8 @@ public:
     void acceptSuggestion(int suggestion);
     /// Takes all in view that are ends of limbs.
     void acceptTips();
+    /// Takes all in view that lie inside the lasso, in one step.
+    void acceptSuggestionsIn(const scene::Lasso& lasso);
 
     // Importance
     /// The regions with one more stroke over `faces` of the part (ascending) are shown, without a step; see
@@ -239,9 +230,12 @@ public:
     /// Doubles the weight of faces in a region (−1: a new one), or halves it (−1: in all). One undo step.
     /// Returns the region.
     int stroke(int region, const std::vector<int>& faces, bool erase);
-    /// The same for the faces seen in a lasso, which are looked for in the background; `then` hears of the
-    /// region.
-    void strokeIn(const scene::Lasso& lasso, int region, bool erase, const std::function<void(int)>& then);
+    /// The same for the faces of a surface seen in a lasso, which are looked for in the background; `then`
+    /// hears of the region.
+    void strokeIn(const scene::Lasso& lasso, const ShownSurface& surface, int region, bool erase,
+                  const std::function<void(int)>& then);
+    /// Where the faces of casts and frames were on the part.
+    [[nodiscard]] LiveOrigins& origins() const { return m_origins; }
     void renameRegion(int region, const QString& name);
     void weighRegion(int region, double weight, bool preview);
     void limitRegion(int region, double keepWithin, bool preview);
@@ -330,6 +324,8 @@ private:
     void pullFrames();
     [[nodiscard]] int undercutOf(const UndercutChoice& choice) const;
     void setPins(std::vector<Pin> pins, const QString& words, const QString& mergeKey = {});
+    /// Whether there were any.
+    bool acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words);
     [[nodiscard]] Project painted(int region, const std::vector<int>& faces, bool erase) const;
     [[nodiscard]] QString newRegionName() const;
     void editRegion(int region, const QString& words, const QString& mergeKey, bool preview,
@@ -364,6 +360,7 @@ private:
     std::map<std::pair<ViewContent, DisplayMode>, std::shared_ptr<const FaceMap>> m_maps;
     std::map<std::pair<ViewContent, DisplayMode>, MapRequest> m_asked; ///< for each map the last request
     mutable KnownFigures m_figures;
+    mutable LiveOrigins m_origins;
     std::shared_ptr<FrameStream> m_stream;
     std::shared_ptr<RunControl> m_control;
     QTimer m_frameTimer;

@@ -83,11 +83,15 @@ int Workbench::stroke(int region, const std::vector<int>& faces, bool erase) {
     return region < 0 && !erase ? static_cast<int>(after.importance.size()) - 1 : region;
 }
 
-void Workbench::strokeIn(const scene::Lasso& lasso, int region, bool erase,
+void Workbench::strokeIn(const scene::Lasso& lasso, const ShownSurface& surface, int region, bool erase,
                          const std::function<void(int)>& then) {
     const SharedMesh part = project().part;
+    const SharedMesh seen = surface.drawn->mesh;
+    const auto before = surface.before;
     m_background.start(tr("Looking which faces are seen"), [=, this](const Task& task) -> Background::Finish {
-        const std::vector<int> faces = scene::facesIn(lasso, part, task);
+        std::vector<int> faces = scene::facesIn(lasso, seen, task);
+        if (seen != part && !task.stopped())
+            faces = FaceOrigins(part, seen, before).onPart(faces);
         return [=, this] {
             if (faces.empty() || project().part != part)
                 say(Standing::Info, tr("No face's middle is seen inside the lasso."));

@@ -119,11 +119,28 @@ void Workbench::acceptSuggestion(int suggestion) {
 }
 
 void Workbench::acceptTips() {
+    acceptWhere([](const SuggestedPin& suggested) { return suggested.kind == PinKind::Tip; },
+                tr("Pin the ends of limbs"));
+}
+
+void Workbench::acceptSuggestionsIn(const scene::Lasso& lasso) {
+    const auto isInLasso = [&](const SuggestedPin& suggested) {
+        return scene::isInside(lasso.line, lasso.camera.project(suggested.point, lasso.view).head<2>());
+    };
+    if (!acceptWhere(isInLasso, tr("Take suggested pins")))
+        say(Standing::Info, tr("No suggested point is seen inside the lasso."));
+}
+
+bool Workbench::acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words) {
     std::vector<Pin> pins = m_document.committed().pins;
+    const std::size_t before = pins.size();
     for (const SuggestedPin& suggested : suggestionsInView())
-        if (suggested.kind == PinKind::Tip)
+        if (wanted(suggested))
             pins.push_back({suggested.point});
-    setPins(std::move(pins), tr("Pin the ends of limbs"));
+    if (pins.size() == before)
+        return false;
+    setPins(std::move(pins), words);
+    return true;
 }
 
 void Workbench::askRanks() {

@@ -27,6 +27,13 @@ public:
     /// Whether p lies in the solid. Precondition: the surface is closed.
     [[nodiscard]] bool holds(const Eigen::Vector3d& p) const;
 
+    /// That point and the face it lies on.
+    struct Nearest {
+        int face;
+        Eigen::Vector3d point;
+    };
+    [[nodiscard]] Nearest nearest(const Eigen::Vector3d& p) const;
+
 private:
     struct Tree;
     std::unique_ptr<Tree> m_tree;

@@ -344,6 +344,47 @@ TEST(Pins, AreSuggestedTakenByClickRankedAtThePlaneAndKeptInFiles) {
     EXPECT_EQ(pins(driver), all);
 }
 
+TEST(Pins, AreAcceptedInALasso) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("rabbit"));
+    driver.press("Ctrl+3");
+    driver.press("Ctrl+G");
+    ASSERT_TRUE(driver.waitIdle());
+    const auto suggested = driver.bench().suggestionsInView();
+    ASSERT_GE(suggested.size(), 20U);
+    const std::size_t steps = driver.bench().document().history().steps().size();
+    PartView& view = driver.window().view();
+    // About the middle of all, so that some are inside and some are not.
+    QPoint middle;
+    for (const SuggestedPin& pin : suggested)
+        middle += view.pixelOf(pin.point) / static_cast<int>(suggested.size());
+    const QRect box(middle - QPoint(70, 70), middle + QPoint(70, 70));
+    std::size_t inside = 0;
+    for (const SuggestedPin& pin : suggested)
+        inside += box.contains(view.pixelOf(pin.point));
+    ASSERT_GT(inside, 0U);
+    ASSERT_LT(inside, suggested.size());
+
+    driver.press("Alt+G");
+    EXPECT_EQ(view.picking(), PartView::Picking::Lasso);
+    QTest::mousePress(&view, Qt::LeftButton, {}, box.topLeft());
+    for (const QPoint& corner : {box.topRight(), box.bottomRight(), box.bottomLeft()}) {
+        QMouseEvent event(QEvent::MouseMove, corner, view.mapToGlobal(corner), Qt::NoButton, Qt::LeftButton,
+                          {});
+        QApplication::sendEvent(&view, &event);
+    }
+    driver.shot("36-suggested-in-a-lasso");
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, box.bottomLeft());
+    QTest::qWait(50);
+    EXPECT_EQ(pins(driver).size(), inside);
+    EXPECT_EQ(driver.bench().document().history().steps().size(), steps + 1) << "one step takes them all";
+    for (const Pin& pin : pins(driver))
+        EXPECT_TRUE(box.contains(view.pixelOf(pin.point)));
+    driver.press("Esc");
+    driver.press("Ctrl+Z");
+    EXPECT_TRUE(pins(driver).empty());
+}
+
 TEST(Pins, ARunDrawsThemIntoThePlane) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("rabbit"));
