@@ -231,7 +231,7 @@ std::span<const ActionSpec> actionTable() {
          QT_TRANSLATE_NOOP("Actions", "Pin all suggested points that are ends of limbs."),
          Needs::SuggestedTips},
         {"accept-lasso", QT_TRANSLATE_NOOP("Actions", "&Guides"),
-         QT_TRANSLATE_NOOP("Actions", "Accept in a lass&o"), "lasso", "Alt+G",
+         QT_TRANSLATE_NOOP("Actions", "Accept in a lass&o"), "lasso", "Ctrl+Alt+G",
          QT_TRANSLATE_NOOP("Actions", "Draw around suggested points: all inside are pinned. Esc leaves."),
          Needs::SuggestedPins, true},
         {"remove-guide", QT_TRANSLATE_NOOP("Actions", "&Guides"),

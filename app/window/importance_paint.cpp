@@ -75,7 +75,8 @@ FacePaint importancePaint(const Workbench& bench, const ShownSurface& surface, c
     if (origins || isPart(bench, surface)) {
         const std::vector<double> weights =
             faceWeights(shownRegions(bench, visible), bench.project().part->faceCount());
-        for (std::size_t f = 0; f < faces; ++f)
+        // Empty while nothing is painted.
+        for (std::size_t f = 0; f < faces && !weights.empty(); ++f)
             if (const int source = origins ? origins->faces()[f] : static_cast<int>(f); source >= 0)
                 paint.faces[f] = colourOf(scene::importanceClass(weights[static_cast<std::size_t>(source)]));
     }

@@ -365,7 +365,7 @@ TEST(Pins, AreAcceptedInALasso) {
     ASSERT_GT(inside, 0U);
     ASSERT_LT(inside, suggested.size());
 
-    driver.press("Alt+G");
+    driver.press("Ctrl+Alt+G");
     EXPECT_EQ(view.picking(), PartView::Picking::Lasso);
     QTest::mousePress(&view, Qt::LeftButton, {}, box.topLeft());
     for (const QPoint& corner : {box.topRight(), box.bottomRight(), box.bottomLeft()}) {
