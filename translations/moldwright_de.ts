@@ -988,8 +988,8 @@
         <translation>Vorgabe &amp;entfernen</translation>
     </message>
     <message>
-        <source>Forget the preset that was taken over; the mold keeps its settings.</source>
-        <translation>Die übernommene Vorgabe vergessen; die Form behält ihre Einstellungen.</translation>
+        <source>Forget it; the mold keeps its settings.</source>
+        <translation>Sie vergessen; die Form behält ihre Einstellungen.</translation>
     </message>
 </context>
 <context>

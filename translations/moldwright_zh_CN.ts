@@ -988,8 +988,8 @@
         <translation>移除预设(&amp;R)</translation>
     </message>
     <message>
-        <source>Forget the preset that was taken over; the mold keeps its settings.</source>
-        <translation>删除所采用的预设；模具设置保持不变。</translation>
+        <source>Forget it; the mold keeps its settings.</source>
+        <translation>删除该预设；模具设置保持不变。</translation>
     </message>
 </context>
 <context>

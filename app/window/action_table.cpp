@@ -351,8 +351,7 @@ std::span<const ActionSpec> actionTable() {
          Needs::IdlePart},
         {"remove-preset", QT_TRANSLATE_NOOP("Actions", "&Mold"),
          QT_TRANSLATE_NOOP("Actions", "&Remove the preset"), "", "",
-         QT_TRANSLATE_NOOP("Actions", "Forget the preset that was taken over; the mold keeps its settings."),
-         Needs::IdlePart},
+         QT_TRANSLATE_NOOP("Actions", "Forget it; the mold keeps its settings."), Needs::IdlePart},
 
         {"print-report", QT_TRANSLATE_NOOP("Actions", "&Report"),
          QT_TRANSLATE_NOOP("Actions", "&Print report…"), "print", "Ctrl+P",
