@@ -975,6 +975,22 @@
         <source>Draw around suggested points: all inside are pinned. Esc leaves.</source>
         <translation>Um vorgeschlagene Punkte herum zeichnen: Alle darin werden angeheftet. Esc beendet.</translation>
     </message>
+    <message>
+        <source>&amp;Save as a preset…</source>
+        <translation>Als Vorgabe &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Keep block, layout, features and machines under a name, for other parts.</source>
+        <translation>Block, Anordnung, Merkmale und Maschinen unter einem Namen aufheben, für andere Teile.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the preset</source>
+        <translation>Vorgabe &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Forget it; the mold keeps its settings.</source>
+        <translation>Sie vergessen; die Form behält ihre Einstellungen.</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1458,6 +1474,14 @@
         <source>No feature can stand {0} mm from the middle: blocks of this mold reach no farther than {1} mm.</source>
         <translation>Kein Element kann {0} mm von der Mitte stehen: Blöcke dieser Form reichen höchstens {1} mm weit.</translation>
     </message>
+    <message>
+        <source>An outer face of the block would have to lie flat to have {0}° of draft along the removal directions.</source>
+        <translation>Eine Außenfläche des Blocks müsste flach liegen, um entlang der Entformungsrichtungen {0}° Schräge zu haben.</translation>
+    </message>
+    <message>
+        <source>The block&apos;s outer faces meet before its back: take less draft.</source>
+        <translation>Die Außenflächen des Blocks treffen sich vor seiner Rückseite: weniger Schräge nehmen.</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -1607,10 +1631,6 @@
     <message>
         <source>Shrink</source>
         <translation>Schwindung</translation>
-    </message>
-    <message>
-        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
-        <translation>Wie viel der Werkstoff schwindet, entlang aller Achsen gleich; um so viel wird die Kavität größer. Unter 0: er dehnt sich aus.</translation>
     </message>
     <message>
         <source>Made larger by</source>
@@ -1779,6 +1799,94 @@
     <message>
         <source>Comes off</source>
         <translation>Lässt sich abziehen</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>A box, or a shell that saves material: what holds nothing is cut away from its corners.</source>
+        <translation>Ein Quader, oder eine Schale, die Material spart: Was nichts enthält, wird an den Ecken weggeschnitten.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Schale</translation>
+    </message>
+    <message>
+        <source>Outer draft</source>
+        <translation>Schräge außen</translation>
+    </message>
+    <message>
+        <source>The outer faces widen to the back by this, so that a half that is cast leaves its form; below 0 they narrow.</source>
+        <translation>Die Außenflächen werden nach hinten um so viel weiter, damit eine gegossene Hälfte ihre Form verlässt; unter 0 werden sie enger.</translation>
+    </message>
+    <message>
+        <source>What the printer can make; a half that is larger is told of. 0: not known.</source>
+        <translation>Was der Drucker herstellen kann; eine größere Hälfte wird gemeldet. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Stock and machines</source>
+        <translation>Vorrat und Maschinen</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Vorrat</translation>
+    </message>
+    <message>
+        <source>Lengths and widths of blocks that are to be had, in mm, a comma between; the next is taken. Empty: any.</source>
+        <translation>Längen und Breiten vorhandener Blöcke in mm, mit Komma dazwischen; der nächste wird genommen. Leer: beliebig.</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s width</source>
+        <translation>Breite des Druckers</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s depth</source>
+        <translation>Tiefe des Druckers</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s height</source>
+        <translation>Höhe des Druckers</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Presse</translation>
+    </message>
+    <message>
+        <source>What it closes with; a mold that needs more is told of. 0: not known.</source>
+        <translation>Womit sie schließt; eine Form, die mehr braucht, wird gemeldet. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>By how much the material shrinks; the cavity is made larger by it. The same along all axes of the part until y or z differ, then along x. Less than 0: it expands.</source>
+        <translation>Um wie viel das Material schwindet; um so viel wird die Kavität größer. Entlang aller Achsen des Teils gleich, bis y oder z abweichen, dann entlang x. Unter 0: Es dehnt sich aus.</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>Entlang y</translation>
+    </message>
+    <message>
+        <source>Shrink along y of the part.</source>
+        <translation>Schwindung entlang y des Teils.</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>Entlang z</translation>
+    </message>
+    <message>
+        <source>Shrink along z of the part.</source>
+        <translation>Schwindung entlang z des Teils.</translation>
+    </message>
+    <message>
+        <source>Vents&apos; depth</source>
+        <translation>Tiefe der Entlüftung</translation>
+    </message>
+    <message>
+        <source>In the parting plane, both halves together; 0: as their width asks.</source>
+        <translation>In der Trennebene, beide Hälften zusammen; 0: wie es die Breite verlangt.</translation>
     </message>
 </context>
 <context>
@@ -4634,6 +4742,57 @@
     <message>
         <source>A lasso looks for its faces once the run has ended. The other brushes paint while it goes on.</source>
         <translation>Ein Lasso sucht seine Flächen erst, wenn der Lauf zu Ende ist. Die anderen Pinsel malen währenddessen.</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Save as a preset</source>
+        <translation>Als Vorgabe speichern</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>Name; eine vorhandene wird ersetzt:</translation>
+    </message>
+    <message>
+        <source>The settings are none of the presets. Take one over to remove it.</source>
+        <translation>Die Einstellungen sind keine der Vorgaben. Zum Entfernen zuerst eine übernehmen.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Block, layout, features and machines as they were saved under a name. Shrink and density stay as they are.</source>
+        <translation>Block, Anordnung, Merkmale und Maschinen, wie sie unter einem Namen gespeichert wurden. Schwindung und Dichte bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>As set here</source>
+        <translation>Wie hier eingestellt</translation>
+    </message>
+    <message>
+        <source>There is no preset {0}: none has been saved yet in {1}.</source>
+        <translation>Es gibt keine Vorgabe {0}: In {1} ist noch keine gespeichert.</translation>
+    </message>
+    <message>
+        <source>There is no preset {0}. There are: {1}.</source>
+        <translation>Es gibt keine Vorgabe {0}. Es gibt: {1}.</translation>
+    </message>
+    <message>
+        <source>The preset {0} cannot be understood. Save it anew, or remove it.</source>
+        <translation>Die Vorgabe {0} ist nicht zu verstehen. Neu speichern oder entfernen.</translation>
+    </message>
+    <message>
+        <source>A preset cannot be called “{0}”. Take up to 60 letters, digits, spaces, hyphens or dots between.</source>
+        <translation>Eine Vorgabe kann nicht „{0}“ heißen. Erlaubt sind bis zu 60 Buchstaben, Ziffern, und dazwischen Leerzeichen, Bindestriche oder Punkte.</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed: {1}.</source>
+        <translation>{0} ließ sich nicht entfernen: {1}.</translation>
     </message>
 </context>
 </TS>

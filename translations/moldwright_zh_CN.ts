@@ -975,6 +975,22 @@
         <source>Draw around suggested points: all inside are pinned. Esc leaves.</source>
         <translation>圈出建议点：圈内的点全部被固定。Esc 退出。</translation>
     </message>
+    <message>
+        <source>&amp;Save as a preset…</source>
+        <translation>保存为预设(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Keep block, layout, features and machines under a name, for other parts.</source>
+        <translation>以某名称保存模块、布局、结构和设备，供其他零件使用。</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the preset</source>
+        <translation>移除预设(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Forget it; the mold keeps its settings.</source>
+        <translation>删除该预设；模具设置保持不变。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1458,6 +1474,14 @@
         <source>No feature can stand {0} mm from the middle: blocks of this mold reach no farther than {1} mm.</source>
         <translation>特征不能位于距中心 {0} mm 处：此模具的模块最远只到 {1} mm。</translation>
     </message>
+    <message>
+        <source>An outer face of the block would have to lie flat to have {0}° of draft along the removal directions.</source>
+        <translation>模块的一个外壁须平放才能沿脱模方向具有 {0}° 的拔模角。</translation>
+    </message>
+    <message>
+        <source>The block&apos;s outer faces meet before its back: take less draft.</source>
+        <translation>模块外壁在到达背面之前相交：请减小拔模角。</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -1607,10 +1631,6 @@
     <message>
         <source>Shrink</source>
         <translation>收缩率</translation>
-    </message>
-    <message>
-        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
-        <translation>材料的收缩量，各轴相同；型腔按此放大。小于 0 表示膨胀。</translation>
     </message>
     <message>
         <source>Made larger by</source>
@@ -1779,6 +1799,94 @@
     <message>
         <source>Comes off</source>
         <translation>可脱开</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>外形</translation>
+    </message>
+    <message>
+        <source>A box, or a shell that saves material: what holds nothing is cut away from its corners.</source>
+        <translation>方块，或节省材料的壳体：角部不含任何结构的部分被切去。</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>方块</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>壳体</translation>
+    </message>
+    <message>
+        <source>Outer draft</source>
+        <translation>外壁拔模</translation>
+    </message>
+    <message>
+        <source>The outer faces widen to the back by this, so that a half that is cast leaves its form; below 0 they narrow.</source>
+        <translation>外壁向背面按此角度扩大，使浇铸成形的半模能脱出其型框；小于 0 则收窄。</translation>
+    </message>
+    <message>
+        <source>What the printer can make; a half that is larger is told of. 0: not known.</source>
+        <translation>打印机能制作的尺寸；更大的半模会被提示。0：未知。</translation>
+    </message>
+    <message>
+        <source>Stock and machines</source>
+        <translation>坯料与设备</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>坯料</translation>
+    </message>
+    <message>
+        <source>Lengths and widths of blocks that are to be had, in mm, a comma between; the next is taken. Empty: any.</source>
+        <translation>现有坯料的长宽（毫米），用逗号分隔；取下一个够大的。留空：不限。</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s width</source>
+        <translation>打印机宽度</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s depth</source>
+        <translation>打印机深度</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s height</source>
+        <translation>打印机高度</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>压机</translation>
+    </message>
+    <message>
+        <source>What it closes with; a mold that needs more is told of. 0: not known.</source>
+        <translation>合模力；需要更大合模力的模具会被提示。0：未知。</translation>
+    </message>
+    <message>
+        <source>By how much the material shrinks; the cavity is made larger by it. The same along all axes of the part until y or z differ, then along x. Less than 0: it expands.</source>
+        <translation>材料的收缩率；型腔按此放大。在 y 或 z 不同之前沿零件各轴相同，之后仅沿 x。小于 0：膨胀。</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>沿 y</translation>
+    </message>
+    <message>
+        <source>Shrink along y of the part.</source>
+        <translation>沿零件 y 轴的收缩率。</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>沿 z</translation>
+    </message>
+    <message>
+        <source>Shrink along z of the part.</source>
+        <translation>沿零件 z 轴的收缩率。</translation>
+    </message>
+    <message>
+        <source>Vents&apos; depth</source>
+        <translation>排气槽深度</translation>
+    </message>
+    <message>
+        <source>In the parting plane, both halves together; 0: as their width asks.</source>
+        <translation>在分型面上，两半合计；0：按宽度确定。</translation>
     </message>
 </context>
 <context>
@@ -4634,6 +4742,57 @@
     <message>
         <source>A lasso looks for its faces once the run has ended. The other brushes paint while it goes on.</source>
         <translation>套索要等运行结束后才查找其中的面。其他画笔在运行期间也能绘制。</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Save as a preset</source>
+        <translation>保存为预设</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>名称；同名预设将被替换：</translation>
+    </message>
+    <message>
+        <source>The settings are none of the presets. Take one over to remove it.</source>
+        <translation>当前设置不是任何预设。请先采用要移除的预设。</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Block, layout, features and machines as they were saved under a name. Shrink and density stay as they are.</source>
+        <translation>以某名称保存的模块、布局、结构和设备。收缩率和密度保持不变。</translation>
+    </message>
+    <message>
+        <source>As set here</source>
+        <translation>按此处设置</translation>
+    </message>
+    <message>
+        <source>There is no preset {0}: none has been saved yet in {1}.</source>
+        <translation>没有预设 {0}：{1} 中尚未保存任何预设。</translation>
+    </message>
+    <message>
+        <source>There is no preset {0}. There are: {1}.</source>
+        <translation>没有预设 {0}。现有：{1}。</translation>
+    </message>
+    <message>
+        <source>The preset {0} cannot be understood. Save it anew, or remove it.</source>
+        <translation>无法理解预设 {0}。请重新保存或移除。</translation>
+    </message>
+    <message>
+        <source>A preset cannot be called “{0}”. Take up to 60 letters, digits, spaces, hyphens or dots between.</source>
+        <translation>预设不能命名为“{0}”。请使用最多 60 个字母或数字，中间可含空格、连字符或点。</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed: {1}.</source>
+        <translation>无法移除 {0}：{1}。</translation>
     </message>
 </context>
 </TS>

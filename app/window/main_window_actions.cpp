@@ -23,6 +23,7 @@
 #include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/preferences_dialog.h"
+#include "window/preset_choice.h"
 #include "window/property_pages.h"
 #include "window/tour.h"
 #include "window/turn_dialog.h"
@@ -150,6 +151,7 @@ void MainWindow::connectDesignActions() {
         m_bench.restoreShape();
     });
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
+    connectPresets(m_actions, m_bench, this);
     m_actions.on(u"print-report"_s, [this] { chooseFileForReport(); });
     m_actions.on(u"open-mold"_s, [this] {
         select(u"mold"_s);

@@ -221,7 +221,7 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
         design.fill = value.toInt() == 1 ? FillChoice::Auto : FillChoice::None;
     if (!(design == project.design))
         return Edit{Words::tr("Change the deformation's settings"), withDesignSettings(project, design)};
-    if (auto molded = withMoldValue(project, id, number))
+    if (auto molded = withMoldValue(project, id, value))
         return Edit{Words::tr("Change the mold"), std::move(*molded)};
     return std::nullopt;
 }
