@@ -324,7 +324,6 @@ private:
                       const QString& done);
     void exportGuides(const QString& file, const std::string& text, const QString& done);
     void setPins(std::vector<NamedPin> pins, const QString& words, const QString& mergeKey = {});
-    /// Whether there were any.
     bool acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words);
     [[nodiscard]] Project painted(int region, const std::vector<int>& faces, bool erase) const;
     [[nodiscard]] QString newRegionName() const;
