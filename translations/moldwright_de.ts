@@ -988,8 +988,8 @@
         <translation>Zeigen oder &amp;verbergen</translation>
     </message>
     <message>
-        <source>Show what is chosen in the views, or hide it.</source>
-        <translation>Das Gewählte in den Ansichten zeigen oder verbergen.</translation>
+        <source>Show or hide what is chosen.</source>
+        <translation>Das Gewählte zeigen oder verbergen.</translation>
     </message>
 </context>
 <context>

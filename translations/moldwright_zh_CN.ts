@@ -988,8 +988,8 @@
         <translation>显示或隐藏(&amp;S)</translation>
     </message>
     <message>
-        <source>Show what is chosen in the views, or hide it.</source>
-        <translation>在视图中显示或隐藏所选项。</translation>
+        <source>Show or hide what is chosen.</source>
+        <translation>显示或隐藏所选项。</translation>
     </message>
 </context>
 <context>

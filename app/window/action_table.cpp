@@ -42,7 +42,7 @@ std::span<const ActionSpec> actionTable() {
         {"rename", QT_TRANSLATE_NOOP("Actions", "&Edit"), QT_TRANSLATE_NOOP("Actions", "R&ename"), "", "F2",
          QT_TRANSLATE_NOOP("Actions", "Give what is chosen another name."), Needs::Renamable, false, true},
         {"hide", QT_TRANSLATE_NOOP("Actions", "&Edit"), QT_TRANSLATE_NOOP("Actions", "&Show or hide"), "eye",
-         "H", QT_TRANSLATE_NOOP("Actions", "Show what is chosen in the views, or hide it."), Needs::Hideable},
+         "H", QT_TRANSLATE_NOOP("Actions", "Show or hide what is chosen."), Needs::Hideable},
         {"find-command", QT_TRANSLATE_NOOP("Actions", "&Edit"),
          QT_TRANSLATE_NOOP("Actions", "&Find a command"), "search", "Ctrl+K",
          QT_TRANSLATE_NOOP("Actions", "Find any command by its words."), Needs::Nothing, false, true},
