@@ -976,8 +976,8 @@
         <translation>&amp;Verlorene Arbeit wiederherstellen</translation>
     </message>
     <message>
-        <source>Open what was lost when Moldwright ended.</source>
-        <translation>Öffnen, was verloren ging, als Moldwright endete.</translation>
+        <source>Open what was not saved last time.</source>
+        <translation>Öffnen, was beim letzten Mal nicht gespeichert war.</translation>
     </message>
     <message>
         <source>Give what is chosen another name.</source>

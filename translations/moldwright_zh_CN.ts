@@ -976,8 +976,8 @@
         <translation>恢复丢失的工作(&amp;C)</translation>
     </message>
     <message>
-        <source>Open what was lost when Moldwright ended.</source>
-        <translation>打开 Moldwright 结束时丢失的内容。</translation>
+        <source>Open what was not saved last time.</source>
+        <translation>打开上次未保存的内容。</translation>
     </message>
     <message>
         <source>Give what is chosen another name.</source>
