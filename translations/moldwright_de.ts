@@ -936,10 +936,6 @@
         <translation>&amp;Umbenennen</translation>
     </message>
     <message>
-        <source>Give the variant that is chosen another name.</source>
-        <translation>Der gewählten Variante einen anderen Namen geben.</translation>
-    </message>
-    <message>
         <source>Differe&amp;nce</source>
         <translation>Unters&amp;chied</translation>
     </message>
@@ -990,6 +986,26 @@
     <message>
         <source>Forget it; the mold keeps its settings.</source>
         <translation>Sie vergessen; die Form behält ihre Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Re&amp;cover lost work</source>
+        <translation>&amp;Verlorene Arbeit wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open what was not saved last time.</source>
+        <translation>Öffnen, was beim letzten Mal nicht gespeichert war.</translation>
+    </message>
+    <message>
+        <source>Give what is chosen another name.</source>
+        <translation>Dem Gewählten einen anderen Namen geben.</translation>
+    </message>
+    <message>
+        <source>&amp;Show or hide</source>
+        <translation>Zeigen oder &amp;verbergen</translation>
+    </message>
+    <message>
+        <source>Show or hide what is chosen.</source>
+        <translation>Das Gewählte zeigen oder verbergen.</translation>
     </message>
 </context>
 <context>
@@ -2013,10 +2029,6 @@
 <context>
     <name>PinPages</name>
     <message>
-        <source>Pin %1</source>
-        <translation>Heftpunkt %1</translation>
-    </message>
-    <message>
         <source>Suggested</source>
         <translation>Vorgeschlagen</translation>
     </message>
@@ -2345,6 +2357,10 @@
     <message>
         <source>{0} has no variant {1}. It has: {2}.</source>
         <translation>{0} hat keine Variante {1}. Es hat: {2}.</translation>
+    </message>
+    <message>
+        <source>No folder can be made in {0}.</source>
+        <translation>In {0} lässt sich kein Ordner anlegen.</translation>
     </message>
 </context>
 <context>
@@ -3973,6 +3989,30 @@
         <source>&lt;b&gt;Draw&lt;/b&gt; around the suggested points that shall be pinned. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
         <translation>&lt;b&gt;Zeichnen&lt;/b&gt; Sie um die vorgeschlagenen Punkte herum, die angeheftet werden sollen. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Not saved when Moldwright ended. Kept as it was at %1.</source>
+        <translation>Nicht gespeichert, als Moldwright endete. Aufbewahrt, wie es um %1 war.</translation>
+    </message>
+    <message>
+        <source>Work of %1</source>
+        <translation>Arbeit von %1</translation>
+    </message>
+    <message>
+        <source>Not saved when Moldwright ended, and what was kept cannot be read.</source>
+        <translation>Nicht gespeichert, als Moldwright endete, und was aufbewahrt wurde, lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Another part was not saved when Moldwright ended.</source>
+        <translation>Ein anderes Teil war nicht gespeichert, als Moldwright endete.</translation>
+    </message>
+    <message>
+        <source>%1 was kept as it was at %2.</source>
+        <translation>%1 ist aufbewahrt, wie es um %2 war.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -4555,14 +4595,6 @@
         <translation>Punkt anheften</translation>
     </message>
     <message>
-        <source>Move pin %1</source>
-        <translation>Heftpunkt %1 verschieben</translation>
-    </message>
-    <message>
-        <source>Remove pin %1</source>
-        <translation>Heftpunkt %1 entfernen</translation>
-    </message>
-    <message>
         <source>Remove all pins</source>
         <translation>Alle Heftpunkte entfernen</translation>
     </message>
@@ -4722,6 +4754,14 @@
         <source>No suggested point is seen inside the lasso.</source>
         <translation>Im Lasso ist kein vorgeschlagener Punkt zu sehen.</translation>
     </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>Heftpunkt %1</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -4793,6 +4833,36 @@
     <message>
         <source>{0} could not be removed: {1}.</source>
         <translation>{0} ließ sich nicht entfernen: {1}.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::LostCardFrame</name>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Puts it into the trash.</source>
+        <translation>Legt es in den Papierkorb.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Program</name>
+    <message>
+        <source>What is not saved is safe only while Moldwright runs. %1</source>
+        <translation>Was nicht gespeichert ist, ist nur sicher, solange Moldwright läuft. %1</translation>
+    </message>
+    <message>
+        <source>%1 is open as it was, and is not saved.</source>
+        <translation>%1 ist offen, wie es war, und nicht gespeichert.</translation>
     </message>
 </context>
 </TS>

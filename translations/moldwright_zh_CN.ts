@@ -936,10 +936,6 @@
         <translation>重命名(&amp;E)</translation>
     </message>
     <message>
-        <source>Give the variant that is chosen another name.</source>
-        <translation>给选中的变型另取名称。</translation>
-    </message>
-    <message>
         <source>Differe&amp;nce</source>
         <translation>差异(&amp;N)</translation>
     </message>
@@ -990,6 +986,26 @@
     <message>
         <source>Forget it; the mold keeps its settings.</source>
         <translation>删除该预设；模具设置保持不变。</translation>
+    </message>
+    <message>
+        <source>Re&amp;cover lost work</source>
+        <translation>恢复丢失的工作(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open what was not saved last time.</source>
+        <translation>打开上次未保存的内容。</translation>
+    </message>
+    <message>
+        <source>Give what is chosen another name.</source>
+        <translation>为所选项另取名称。</translation>
+    </message>
+    <message>
+        <source>&amp;Show or hide</source>
+        <translation>显示或隐藏(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show or hide what is chosen.</source>
+        <translation>显示或隐藏所选项。</translation>
     </message>
 </context>
 <context>
@@ -2013,10 +2029,6 @@
 <context>
     <name>PinPages</name>
     <message>
-        <source>Pin %1</source>
-        <translation>固定点 %1</translation>
-    </message>
-    <message>
         <source>Suggested</source>
         <translation>建议</translation>
     </message>
@@ -2345,6 +2357,10 @@
     <message>
         <source>{0} has no variant {1}. It has: {2}.</source>
         <translation>{0} 中没有变型 {1}。其中有：{2}。</translation>
+    </message>
+    <message>
+        <source>No folder can be made in {0}.</source>
+        <translation>无法在 {0} 中创建文件夹。</translation>
     </message>
 </context>
 <context>
@@ -3973,6 +3989,30 @@
         <source>&lt;b&gt;Draw&lt;/b&gt; around the suggested points that shall be pinned. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
         <translation>&lt;b&gt;圈出&lt;/b&gt;要固定的建议点。&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Not saved when Moldwright ended. Kept as it was at %1.</source>
+        <translation>Moldwright 结束时未保存。已保留 %1 时的状态。</translation>
+    </message>
+    <message>
+        <source>Work of %1</source>
+        <translation>%1 的工作</translation>
+    </message>
+    <message>
+        <source>Not saved when Moldwright ended, and what was kept cannot be read.</source>
+        <translation>Moldwright 结束时未保存，保留的内容也无法读取。</translation>
+    </message>
+    <message>
+        <source>Another part was not saved when Moldwright ended.</source>
+        <translation>Moldwright 结束时另一个零件尚未保存。</translation>
+    </message>
+    <message>
+        <source>%1 was kept as it was at %2.</source>
+        <translation>%1 已按 %2 时的状态保留。</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -4455,14 +4495,6 @@
         <translation>固定一个点</translation>
     </message>
     <message>
-        <source>Move pin %1</source>
-        <translation>移动固定点 %1</translation>
-    </message>
-    <message>
-        <source>Remove pin %1</source>
-        <translation>移除固定点 %1</translation>
-    </message>
-    <message>
         <source>Remove all pins</source>
         <translation>移除所有固定点</translation>
     </message>
@@ -4722,6 +4754,14 @@
         <source>No suggested point is seen inside the lasso.</source>
         <translation>套索内没有可见的建议点。</translation>
     </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动%1</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>固定点 %1</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -4793,6 +4833,36 @@
     <message>
         <source>{0} could not be removed: {1}.</source>
         <translation>无法移除 {0}：{1}。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::LostCardFrame</name>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>显示文件夹</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Puts it into the trash.</source>
+        <translation>将其移到回收站。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Program</name>
+    <message>
+        <source>What is not saved is safe only while Moldwright runs. %1</source>
+        <translation>未保存的内容仅在 Moldwright 运行期间安全。%1</translation>
+    </message>
+    <message>
+        <source>%1 is open as it was, and is not saved.</source>
+        <translation>%1 已按原样打开，尚未保存。</translation>
     </message>
 </context>
 </TS>

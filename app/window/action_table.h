@@ -42,6 +42,9 @@ enum class Needs {
     LaterFrame,
     Branch, ///< a frame in view that another run can begin from
     Measured,
+    Renamable, ///< what is chosen is, and idle
+    Hideable,
+    LostWork, ///< found, and idle
     Undo,
     Redo
 };

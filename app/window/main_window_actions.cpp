@@ -53,20 +53,6 @@ namespace moldwright {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
-/// Renames what a row of the tree stands for.
-void rename(Workbench& bench, const QString& id, const QString& name) {
-    if (const int region = regionNumber(id); region >= 0)
-        bench.renameRegion(region, name);
-    else if (const int variant = variantNumber(id); variant >= 0)
-        bench.renameVariant(variant, name);
-    else
-        bench.rename(name);
-}
-
-} // namespace
-
 void MainWindow::connectActions() {
     connectFileActions();
     connectViewActions();
@@ -201,6 +187,7 @@ void MainWindow::connectBench() {
         m_fitWhenDrawn = Fit::FromHome;
         refresh();
         m_view->setFocus();
+        tellOfLost();
     });
     connect(&m_bench, &Workbench::unitAsked, this, &MainWindow::askUnit);
     connect(&m_bench, &Workbench::problem, this, [this](const QString& headline, const QString& text) {
@@ -245,19 +232,6 @@ void MainWindow::advise(const Advice& advice) {
 void MainWindow::connectPanels() {
     connect(m_workflow, &WorkflowBar::stepChosen, this, &MainWindow::chooseStep);
     connect(m_workflow, &WorkflowBar::verdictClicked, this, [this] { m_view->fitAll(); });
-    connect(m_start, &StartPage::fileChosen, this, &MainWindow::openPath);
-    connect(m_start, &StartPage::sampleChosen, &m_bench, &Workbench::openSample);
-    connect(m_start, &StartPage::clearRecent, this, [this] {
-        preferences::clearRecentFiles();
-        refreshSoon();
-    });
-    connect(m_tree, &ProjectTree::chosen, this, &MainWindow::select);
-    connect(m_tree, &ProjectTree::visibilityToggled, this, [this](const QString& id) {
-        toggle(m_visible, id);
-        refreshSoon();
-    });
-    connect(m_projectModel, &ProjectModel::renamed, this,
-            [this](const QString& id, const QString& name) { rename(m_bench, id, name); });
     connect(m_properties, &PropertyPanel::previewed, this, [this](const QString& id, const QVariant& value) {
         applyProperty(m_bench, m_properties->pageId(), id, value, true);
     });
@@ -276,8 +250,7 @@ void MainWindow::connectPanels() {
 
 void MainWindow::showFrameBeside(int way) {
     const int newest = static_cast<int>(m_bench.keptFrames().size()) - 1;
-    const int now = m_bench.keptFrame() < 0 ? newest : m_bench.keptFrame();
-    m_bench.showKept(std::clamp(now + way, 0, newest));
+    m_bench.showKept(std::clamp(m_bench.frameInView() + way, 0, newest));
 }
 
 void MainWindow::askTurn() {

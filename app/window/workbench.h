@@ -3,11 +3,11 @@
 
 #include "design/filling.h"
 #include "exchange/mesh_file.h"
-#include "mesh/check.h"
 #include "mold/mold.h"
 #include "panels/message_list.h"
 #include "panels/progress_plots.h"
 #include "scene/lasso.h"
+#include "window/advice.h"
 #include "window/background.h"
 #include "window/display_mode.h"
 #include "window/document.h"
@@ -18,6 +18,7 @@
 #include "window/live_origins.h"
 #include "window/live_ranks.h"
 #include "window/mesh_figures.h"
+#include "window/opened_mesh.h"
 #include "window/plane_offers.h"
 #include "window/run_control.h"
 #include "window/shown_surface.h"
@@ -35,21 +36,6 @@
 #include <vector>
 
 namespace moldwright {
-
-/// A mesh that was read and found sound, waiting for its unit.
-struct OpenedMesh {
-    QString name;
-    QString file; ///< empty for a sample
-    PreparedMesh prepared;
-};
-
-/// What happened and what to do about it, with the command that does it.
-struct Advice {
-    Standing standing = Standing::Info;
-    QString headline;
-    QString text;
-    QString action; ///< id of the command, or empty
-};
 
 /// Everything the window works on: the document, what is derived from it, and the jobs that change it. It
 /// knows no widget; windows come and go (with the language) while the workbench stays.
@@ -106,12 +92,16 @@ public:
     [[nodiscard]] const std::optional<ShownFrame>& frame() const { return m_frame; }
     /// The frames kept of the run, or of the last one of this part, from its first to its newest.
     [[nodiscard]] const std::vector<DesignFrame>& keptFrames() const { return m_kept.frames(); }
-    /// The one of them that was gone back to; −1: none, the newest is in view.
-    [[nodiscard]] int keptFrame() const { return m_kept.at(m_backTo); }
+    /// The number of the one of them that is in view; −1 while there are none.
+    [[nodiscard]] int frameInView() const {
+        return goneBack() ? m_kept.at(m_backTo) : static_cast<int>(m_kept.frames().size()) - 1;
+    }
+    /// Whether it was gone back to; else it is the newest.
+    [[nodiscard]] bool goneBack() const { return m_kept.at(m_backTo) >= 0; }
     /// The project as an edit of plane or directions is to find it: at the state in view.
     [[nodiscard]] Project projectInView() const;
     /// Where the document's pins are in the shape in view; empty where that is not known.
-    [[nodiscard]] const std::vector<Pin>& pinsInView() const;
+    [[nodiscard]] std::vector<Pin> pinsInView() const;
     /// Something will be clicked on the shape in view.
     void setPicking(bool picking);
     [[nodiscard]] const std::vector<ProgressPoint>& progress() const { return m_progress; }
@@ -148,6 +138,8 @@ public:
     void openFile(const QString& file);
     void openSample(const QString& file, const QString& name);
     void take(const OpenedMesh& opened, Unit unit, double scale);
+    /// Opens work that was lost, and is in no file.
+    void openLost(const Project& project);
     void closePart();
     /// Saves the project; `thumbnail` is a PNG of the view. `then` is done once it is safe on the disk.
     void save(const QString& file, const QByteArray& thumbnail, const std::function<void()>& then = {});
@@ -203,6 +195,9 @@ public:
     void addPin(const Eigen::Vector3d& place);
     /// A preview is no step yet.
     void movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey, bool preview = false);
+    /// An empty name: it goes by its number.
+    void renamePin(int pin, const QString& name);
+    [[nodiscard]] QString pinName(int pin) const;
     void removePin(int pin);
     void clearPins();
     /// Pins from and to the JSON that the command line takes.
@@ -304,6 +299,7 @@ private:
     };
 
     [[nodiscard]] const BuiltMold& built() const;
+    void forgetOldPart();
     void show(const Project& project, const QString& file);
     void readProject(const QString& file);
     void readFile(const QString& file, const QString& name, bool sample);
@@ -323,8 +319,11 @@ private:
     void tellOfStop(const DesignResult& result);
     void pullFrames();
     [[nodiscard]] int undercutOf(const UndercutChoice& choice) const;
-    void setPins(std::vector<Pin> pins, const QString& words, const QString& mergeKey = {});
-    /// Whether there were any.
+    template <class Read, class With>
+    void importGuides(const QString& file, const QString& reading, Read read, With with, const QString& edit,
+                      const QString& done);
+    void exportGuides(const QString& file, const std::string& text, const QString& done);
+    void setPins(std::vector<NamedPin> pins, const QString& words, const QString& mergeKey = {});
     bool acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words);
     [[nodiscard]] Project painted(int region, const std::vector<int>& faces, bool erase) const;
     [[nodiscard]] QString newRegionName() const;

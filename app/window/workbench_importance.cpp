@@ -2,12 +2,8 @@
 // Importance: what is painted, and how it came through.
 #include "window/workbench.h"
 
-#include "exchange/mesh_file.h"
 #include "mesh/measures.h"
 #include "project/edits.h"
-#include "project/guide_files.h"
-
-#include <QDir>
 
 #include <algorithm>
 #include <cmath>
@@ -136,30 +132,6 @@ void Workbench::removeRegion(int region) {
 
 void Workbench::clearImportance() {
     m_document.edit(tr("Remove all regions"), withImportance(m_document.committed(), {}));
-}
-
-void Workbench::importWeights(const QString& file) {
-    const Project from = m_document.committed();
-    m_background.start(tr("Reading regions"), [=, this](const Task&) -> Background::Finish {
-        const Result<std::vector<ImportantRegion>> read = readWeights(file.toStdString(), *from.part);
-        return [=, this] {
-            if (!read) {
-                complain(read.error(), tr("Reading regions"));
-                return;
-            }
-            m_document.edit(tr("Regions from a file"), withImportance(m_document.committed(), *read));
-            say(Standing::Done,
-                tr("%1 regions read from %2.").arg(read->size()).arg(QDir::toNativeSeparators(file)));
-        };
-    });
-}
-
-void Workbench::exportWeights(const QString& file) {
-    const Result<void> written = writeFileAtomically(file.toStdString(), weightsText(project().importance));
-    if (!written)
-        complain(written.error(), tr("Export"));
-    else
-        say(Standing::Done, tr("Regions written to %1.").arg(QDir::toNativeSeparators(file)));
 }
 
 const RegionMeasure* Workbench::measureOf(int region) const {
