@@ -52,6 +52,12 @@ double ClosestPoint::distance(const Eigen::Vector3d& p) const {
     return std::sqrt(m_tree->boxes.squared_distance(pointOf(p)));
 }
 
+ClosestPoint::Nearest ClosestPoint::nearest(const Eigen::Vector3d& p) const {
+    const auto [point, triangle] = m_tree->boxes.closest_point_and_primitive(pointOf(p));
+    const auto at = static_cast<std::size_t>(triangle - m_tree->triangles.cbegin());
+    return {m_tree->faces[at], {point.x(), point.y(), point.z()}};
+}
+
 bool ClosestPoint::meets(const IndexedMesh& other, const Eigen::Vector3d& shift) const {
     for (int f = 0; f < other.faceCount(); ++f) {
         const Triangle triangle(pointOf(other.corner(f, 0) + shift), pointOf(other.corner(f, 1) + shift),
@@ -66,12 +72,6 @@ bool ClosestPoint::holds(const Eigen::Vector3d& p) const {
     // Askew to everything that a mold is made of, so that no ray runs along an edge.
     const Kernel::Ray_3 ray(pointOf(p), Kernel::Vector_3(0.3127, 0.1689, 0.9347));
     return m_tree->boxes.number_of_intersected_primitives(ray) % 2 == 1;
-}
-
-ClosestPoint::Nearest ClosestPoint::nearest(const Eigen::Vector3d& p) const {
-    const auto [point, triangle] = m_tree->boxes.closest_point_and_primitive(pointOf(p));
-    const auto at = static_cast<std::size_t>(triangle - m_tree->triangles.cbegin());
-    return {m_tree->faces[at], {point.x(), point.y(), point.z()}};
 }
 
 } // namespace moldwright
