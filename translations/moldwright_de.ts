@@ -936,10 +936,6 @@
         <translation>&amp;Umbenennen</translation>
     </message>
     <message>
-        <source>Give the variant that is chosen another name.</source>
-        <translation>Der gewählten Variante einen anderen Namen geben.</translation>
-    </message>
-    <message>
         <source>Differe&amp;nce</source>
         <translation>Unters&amp;chied</translation>
     </message>
@@ -966,6 +962,50 @@
     <message>
         <source>Give all features of the mold back that a hand has placed.</source>
         <translation>Alle von Hand gesetzten Elemente der Form wieder dem Programm überlassen.</translation>
+    </message>
+    <message>
+        <source>Accept in a lass&amp;o</source>
+        <translation>In einem Lass&amp;o annehmen</translation>
+    </message>
+    <message>
+        <source>Draw around suggested points: all inside are pinned. Esc leaves.</source>
+        <translation>Um vorgeschlagene Punkte herum zeichnen: Alle darin werden angeheftet. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a preset…</source>
+        <translation>Als Vorgabe &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Keep block, layout, features and machines under a name, for other parts.</source>
+        <translation>Block, Anordnung, Merkmale und Maschinen unter einem Namen aufheben, für andere Teile.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the preset</source>
+        <translation>Vorgabe &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Forget it; the mold keeps its settings.</source>
+        <translation>Sie vergessen; die Form behält ihre Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Re&amp;cover lost work</source>
+        <translation>&amp;Verlorene Arbeit wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open what was not saved last time.</source>
+        <translation>Öffnen, was beim letzten Mal nicht gespeichert war.</translation>
+    </message>
+    <message>
+        <source>Give what is chosen another name.</source>
+        <translation>Dem Gewählten einen anderen Namen geben.</translation>
+    </message>
+    <message>
+        <source>&amp;Show or hide</source>
+        <translation>Zeigen oder &amp;verbergen</translation>
+    </message>
+    <message>
+        <source>Show or hide what is chosen.</source>
+        <translation>Das Gewählte zeigen oder verbergen.</translation>
     </message>
 </context>
 <context>
@@ -1275,16 +1315,20 @@
         <translation>Wichtigkeit</translation>
     </message>
     <message>
-        <source>Shown on the part as opened only.</source>
-        <translation>Nur am Teil, wie geöffnet, zu sehen.</translation>
-    </message>
-    <message>
         <source>like the rest</source>
         <translation>wie der Rest</translation>
     </message>
     <message>
         <source>×32 or more</source>
         <translation>×32 oder mehr</translation>
+    </message>
+    <message>
+        <source>Looking where the faces come from</source>
+        <translation>Herkunft der Flächen wird gesucht</translation>
+    </message>
+    <message>
+        <source>Not known for this shape.</source>
+        <translation>Für diese Gestalt nicht bekannt.</translation>
     </message>
 </context>
 <context>
@@ -1446,6 +1490,14 @@
         <source>No feature can stand {0} mm from the middle: blocks of this mold reach no farther than {1} mm.</source>
         <translation>Kein Element kann {0} mm von der Mitte stehen: Blöcke dieser Form reichen höchstens {1} mm weit.</translation>
     </message>
+    <message>
+        <source>An outer face of the block would have to lie flat to have {0}° of draft along the removal directions.</source>
+        <translation>Eine Außenfläche des Blocks müsste flach liegen, um entlang der Entformungsrichtungen {0}° Schräge zu haben.</translation>
+    </message>
+    <message>
+        <source>The block&apos;s outer faces meet before its back: take less draft.</source>
+        <translation>Die Außenflächen des Blocks treffen sich vor seiner Rückseite: weniger Schräge nehmen.</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -1595,10 +1647,6 @@
     <message>
         <source>Shrink</source>
         <translation>Schwindung</translation>
-    </message>
-    <message>
-        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
-        <translation>Wie viel der Werkstoff schwindet, entlang aller Achsen gleich; um so viel wird die Kavität größer. Unter 0: er dehnt sich aus.</translation>
     </message>
     <message>
         <source>Made larger by</source>
@@ -1768,6 +1816,94 @@
         <source>Comes off</source>
         <translation>Lässt sich abziehen</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>A box, or a shell that saves material: what holds nothing is cut away from its corners.</source>
+        <translation>Ein Quader, oder eine Schale, die Material spart: Was nichts enthält, wird an den Ecken weggeschnitten.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Schale</translation>
+    </message>
+    <message>
+        <source>Outer draft</source>
+        <translation>Schräge außen</translation>
+    </message>
+    <message>
+        <source>The outer faces widen to the back by this, so that a half that is cast leaves its form; below 0 they narrow.</source>
+        <translation>Die Außenflächen werden nach hinten um so viel weiter, damit eine gegossene Hälfte ihre Form verlässt; unter 0 werden sie enger.</translation>
+    </message>
+    <message>
+        <source>What the printer can make; a half that is larger is told of. 0: not known.</source>
+        <translation>Was der Drucker herstellen kann; eine größere Hälfte wird gemeldet. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Stock and machines</source>
+        <translation>Vorrat und Maschinen</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Vorrat</translation>
+    </message>
+    <message>
+        <source>Lengths and widths of blocks that are to be had, in mm, a comma between; the next is taken. Empty: any.</source>
+        <translation>Längen und Breiten vorhandener Blöcke in mm, mit Komma dazwischen; der nächste wird genommen. Leer: beliebig.</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s width</source>
+        <translation>Breite des Druckers</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s depth</source>
+        <translation>Tiefe des Druckers</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s height</source>
+        <translation>Höhe des Druckers</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Presse</translation>
+    </message>
+    <message>
+        <source>What it closes with; a mold that needs more is told of. 0: not known.</source>
+        <translation>Womit sie schließt; eine Form, die mehr braucht, wird gemeldet. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>By how much the material shrinks; the cavity is made larger by it. The same along all axes of the part until y or z differ, then along x. Less than 0: it expands.</source>
+        <translation>Um wie viel das Material schwindet; um so viel wird die Kavität größer. Entlang aller Achsen des Teils gleich, bis y oder z abweichen, dann entlang x. Unter 0: Es dehnt sich aus.</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>Entlang y</translation>
+    </message>
+    <message>
+        <source>Shrink along y of the part.</source>
+        <translation>Schwindung entlang y des Teils.</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>Entlang z</translation>
+    </message>
+    <message>
+        <source>Shrink along z of the part.</source>
+        <translation>Schwindung entlang z des Teils.</translation>
+    </message>
+    <message>
+        <source>Vents&apos; depth</source>
+        <translation>Tiefe der Entlüftung</translation>
+    </message>
+    <message>
+        <source>In the parting plane, both halves together; 0: as their width asks.</source>
+        <translation>In der Trennebene, beide Hälften zusammen; 0: wie es die Breite verlangt.</translation>
+    </message>
 </context>
 <context>
     <name>MoldPlacing</name>
@@ -1892,10 +2028,6 @@
 </context>
 <context>
     <name>PinPages</name>
-    <message>
-        <source>Pin %1</source>
-        <translation>Heftpunkt %1</translation>
-    </message>
     <message>
         <source>Suggested</source>
         <translation>Vorgeschlagen</translation>
@@ -2225,6 +2357,10 @@
     <message>
         <source>{0} has no variant {1}. It has: {2}.</source>
         <translation>{0} hat keine Variante {1}. Es hat: {2}.</translation>
+    </message>
+    <message>
+        <source>No folder can be made in {0}.</source>
+        <translation>In {0} lässt sich kein Ordner anlegen.</translation>
     </message>
 </context>
 <context>
@@ -3849,6 +3985,34 @@
         <source>&lt;b&gt;Drag&lt;/b&gt; a disc to place a feature of the mold, with &lt;b&gt;Shift&lt;/b&gt; without steps. %1</source>
         <translation>Eine Scheibe &lt;b&gt;ziehen&lt;/b&gt;, um ein Element der Form zu setzen, mit &lt;b&gt;Umschalt&lt;/b&gt; ohne Schritte. %1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Draw&lt;/b&gt; around the suggested points that shall be pinned. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;Zeichnen&lt;/b&gt; Sie um die vorgeschlagenen Punkte herum, die angeheftet werden sollen. &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Not saved when Moldwright ended. Kept as it was at %1.</source>
+        <translation>Nicht gespeichert, als Moldwright endete. Aufbewahrt, wie es um %1 war.</translation>
+    </message>
+    <message>
+        <source>Work of %1</source>
+        <translation>Arbeit von %1</translation>
+    </message>
+    <message>
+        <source>Not saved when Moldwright ended, and what was kept cannot be read.</source>
+        <translation>Nicht gespeichert, als Moldwright endete, und was aufbewahrt wurde, lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Another part was not saved when Moldwright ended.</source>
+        <translation>Ein anderes Teil war nicht gespeichert, als Moldwright endete.</translation>
+    </message>
+    <message>
+        <source>%1 was kept as it was at %2.</source>
+        <translation>%1 ist aufbewahrt, wie es um %2 war.</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -4431,14 +4595,6 @@
         <translation>Punkt anheften</translation>
     </message>
     <message>
-        <source>Move pin %1</source>
-        <translation>Heftpunkt %1 verschieben</translation>
-    </message>
-    <message>
-        <source>Remove pin %1</source>
-        <translation>Heftpunkt %1 entfernen</translation>
-    </message>
-    <message>
         <source>Remove all pins</source>
         <translation>Alle Heftpunkte entfernen</translation>
     </message>
@@ -4590,6 +4746,22 @@
         <source>There is a variant %1 already. Take another name.</source>
         <translation>Es gibt schon eine Variante %1. Nehmen Sie einen anderen Namen.</translation>
     </message>
+    <message>
+        <source>Take suggested pins</source>
+        <translation>Vorgeschlagene Heftpunkte nehmen</translation>
+    </message>
+    <message>
+        <source>No suggested point is seen inside the lasso.</source>
+        <translation>Im Lasso ist kein vorgeschlagener Punkt zu sehen.</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>Heftpunkt %1</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -4603,6 +4775,94 @@
     <message>
         <source>The search for pins was cancelled.</source>
         <translation>Die Suche nach Stiften wurde abgebrochen.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PaintTool</name>
+    <message>
+        <source>A lasso looks for its faces once the run has ended. The other brushes paint while it goes on.</source>
+        <translation>Ein Lasso sucht seine Flächen erst, wenn der Lauf zu Ende ist. Die anderen Pinsel malen währenddessen.</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Save as a preset</source>
+        <translation>Als Vorgabe speichern</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>Name; eine vorhandene wird ersetzt:</translation>
+    </message>
+    <message>
+        <source>The settings are none of the presets. Take one over to remove it.</source>
+        <translation>Die Einstellungen sind keine der Vorgaben. Zum Entfernen zuerst eine übernehmen.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Block, layout, features and machines as they were saved under a name. Shrink and density stay as they are.</source>
+        <translation>Block, Anordnung, Merkmale und Maschinen, wie sie unter einem Namen gespeichert wurden. Schwindung und Dichte bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>As set here</source>
+        <translation>Wie hier eingestellt</translation>
+    </message>
+    <message>
+        <source>There is no preset {0}: none has been saved yet in {1}.</source>
+        <translation>Es gibt keine Vorgabe {0}: In {1} ist noch keine gespeichert.</translation>
+    </message>
+    <message>
+        <source>There is no preset {0}. There are: {1}.</source>
+        <translation>Es gibt keine Vorgabe {0}. Es gibt: {1}.</translation>
+    </message>
+    <message>
+        <source>The preset {0} cannot be understood. Save it anew, or remove it.</source>
+        <translation>Die Vorgabe {0} ist nicht zu verstehen. Neu speichern oder entfernen.</translation>
+    </message>
+    <message>
+        <source>A preset cannot be called “{0}”. Take up to 60 letters, digits, spaces, hyphens or dots between.</source>
+        <translation>Eine Vorgabe kann nicht „{0}“ heißen. Erlaubt sind bis zu 60 Buchstaben, Ziffern, und dazwischen Leerzeichen, Bindestriche oder Punkte.</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed: {1}.</source>
+        <translation>{0} ließ sich nicht entfernen: {1}.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::LostCardFrame</name>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Puts it into the trash.</source>
+        <translation>Legt es in den Papierkorb.</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Program</name>
+    <message>
+        <source>What is not saved is safe only while Moldwright runs. %1</source>
+        <translation>Was nicht gespeichert ist, ist nur sicher, solange Moldwright läuft. %1</translation>
+    </message>
+    <message>
+        <source>%1 is open as it was, and is not saved.</source>
+        <translation>%1 ist offen, wie es war, und nicht gespeichert.</translation>
     </message>
 </context>
 </TS>

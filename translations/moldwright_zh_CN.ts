@@ -936,10 +936,6 @@
         <translation>重命名(&amp;E)</translation>
     </message>
     <message>
-        <source>Give the variant that is chosen another name.</source>
-        <translation>给选中的变型另取名称。</translation>
-    </message>
-    <message>
         <source>Differe&amp;nce</source>
         <translation>差异(&amp;N)</translation>
     </message>
@@ -966,6 +962,50 @@
     <message>
         <source>Give all features of the mold back that a hand has placed.</source>
         <translation>将所有手动放置的模具特征交还给程序。</translation>
+    </message>
+    <message>
+        <source>Accept in a lass&amp;o</source>
+        <translation>接受套索内的点(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Draw around suggested points: all inside are pinned. Esc leaves.</source>
+        <translation>圈出建议点：圈内的点全部被固定。Esc 退出。</translation>
+    </message>
+    <message>
+        <source>&amp;Save as a preset…</source>
+        <translation>保存为预设(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Keep block, layout, features and machines under a name, for other parts.</source>
+        <translation>以某名称保存模块、布局、结构和设备，供其他零件使用。</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the preset</source>
+        <translation>移除预设(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Forget it; the mold keeps its settings.</source>
+        <translation>删除该预设；模具设置保持不变。</translation>
+    </message>
+    <message>
+        <source>Re&amp;cover lost work</source>
+        <translation>恢复丢失的工作(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open what was not saved last time.</source>
+        <translation>打开上次未保存的内容。</translation>
+    </message>
+    <message>
+        <source>Give what is chosen another name.</source>
+        <translation>为所选项另取名称。</translation>
+    </message>
+    <message>
+        <source>&amp;Show or hide</source>
+        <translation>显示或隐藏(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show or hide what is chosen.</source>
+        <translation>显示或隐藏所选项。</translation>
     </message>
 </context>
 <context>
@@ -1275,16 +1315,20 @@
         <translation>重要性</translation>
     </message>
     <message>
-        <source>Shown on the part as opened only.</source>
-        <translation>只在打开时的零件上显示。</translation>
-    </message>
-    <message>
         <source>like the rest</source>
         <translation>与其余相同</translation>
     </message>
     <message>
         <source>×32 or more</source>
         <translation>×32 或以上</translation>
+    </message>
+    <message>
+        <source>Looking where the faces come from</source>
+        <translation>正在查找各面的来源</translation>
+    </message>
+    <message>
+        <source>Not known for this shape.</source>
+        <translation>此形状无此信息。</translation>
     </message>
 </context>
 <context>
@@ -1446,6 +1490,14 @@
         <source>No feature can stand {0} mm from the middle: blocks of this mold reach no farther than {1} mm.</source>
         <translation>特征不能位于距中心 {0} mm 处：此模具的模块最远只到 {1} mm。</translation>
     </message>
+    <message>
+        <source>An outer face of the block would have to lie flat to have {0}° of draft along the removal directions.</source>
+        <translation>模块的一个外壁须平放才能沿脱模方向具有 {0}° 的拔模角。</translation>
+    </message>
+    <message>
+        <source>The block&apos;s outer faces meet before its back: take less draft.</source>
+        <translation>模块外壁在到达背面之前相交：请减小拔模角。</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -1595,10 +1647,6 @@
     <message>
         <source>Shrink</source>
         <translation>收缩率</translation>
-    </message>
-    <message>
-        <source>By how much the material shrinks, the same along all axes; the cavity is made larger by it. Less than 0: it expands.</source>
-        <translation>材料的收缩量，各轴相同；型腔按此放大。小于 0 表示膨胀。</translation>
     </message>
     <message>
         <source>Made larger by</source>
@@ -1768,6 +1816,94 @@
         <source>Comes off</source>
         <translation>可脱开</translation>
     </message>
+    <message>
+        <source>Outline</source>
+        <translation>外形</translation>
+    </message>
+    <message>
+        <source>A box, or a shell that saves material: what holds nothing is cut away from its corners.</source>
+        <translation>方块，或节省材料的壳体：角部不含任何结构的部分被切去。</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>方块</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>壳体</translation>
+    </message>
+    <message>
+        <source>Outer draft</source>
+        <translation>外壁拔模</translation>
+    </message>
+    <message>
+        <source>The outer faces widen to the back by this, so that a half that is cast leaves its form; below 0 they narrow.</source>
+        <translation>外壁向背面按此角度扩大，使浇铸成形的半模能脱出其型框；小于 0 则收窄。</translation>
+    </message>
+    <message>
+        <source>What the printer can make; a half that is larger is told of. 0: not known.</source>
+        <translation>打印机能制作的尺寸；更大的半模会被提示。0：未知。</translation>
+    </message>
+    <message>
+        <source>Stock and machines</source>
+        <translation>坯料与设备</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>坯料</translation>
+    </message>
+    <message>
+        <source>Lengths and widths of blocks that are to be had, in mm, a comma between; the next is taken. Empty: any.</source>
+        <translation>现有坯料的长宽（毫米），用逗号分隔；取下一个够大的。留空：不限。</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s width</source>
+        <translation>打印机宽度</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s depth</source>
+        <translation>打印机深度</translation>
+    </message>
+    <message>
+        <source>Printer&apos;s height</source>
+        <translation>打印机高度</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>压机</translation>
+    </message>
+    <message>
+        <source>What it closes with; a mold that needs more is told of. 0: not known.</source>
+        <translation>合模力；需要更大合模力的模具会被提示。0：未知。</translation>
+    </message>
+    <message>
+        <source>By how much the material shrinks; the cavity is made larger by it. The same along all axes of the part until y or z differ, then along x. Less than 0: it expands.</source>
+        <translation>材料的收缩率；型腔按此放大。在 y 或 z 不同之前沿零件各轴相同，之后仅沿 x。小于 0：膨胀。</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>沿 y</translation>
+    </message>
+    <message>
+        <source>Shrink along y of the part.</source>
+        <translation>沿零件 y 轴的收缩率。</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>沿 z</translation>
+    </message>
+    <message>
+        <source>Shrink along z of the part.</source>
+        <translation>沿零件 z 轴的收缩率。</translation>
+    </message>
+    <message>
+        <source>Vents&apos; depth</source>
+        <translation>排气槽深度</translation>
+    </message>
+    <message>
+        <source>In the parting plane, both halves together; 0: as their width asks.</source>
+        <translation>在分型面上，两半合计；0：按宽度确定。</translation>
+    </message>
 </context>
 <context>
     <name>MoldPlacing</name>
@@ -1892,10 +2028,6 @@
 </context>
 <context>
     <name>PinPages</name>
-    <message>
-        <source>Pin %1</source>
-        <translation>固定点 %1</translation>
-    </message>
     <message>
         <source>Suggested</source>
         <translation>建议</translation>
@@ -2225,6 +2357,10 @@
     <message>
         <source>{0} has no variant {1}. It has: {2}.</source>
         <translation>{0} 中没有变型 {1}。其中有：{2}。</translation>
+    </message>
+    <message>
+        <source>No folder can be made in {0}.</source>
+        <translation>无法在 {0} 中创建文件夹。</translation>
     </message>
 </context>
 <context>
@@ -3849,6 +3985,34 @@
         <source>&lt;b&gt;Drag&lt;/b&gt; a disc to place a feature of the mold, with &lt;b&gt;Shift&lt;/b&gt; without steps. %1</source>
         <translation>&lt;b&gt;拖动&lt;/b&gt;圆点以放置模具特征，按住 &lt;b&gt;Shift&lt;/b&gt; 则不按步。%1</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Draw&lt;/b&gt; around the suggested points that shall be pinned. &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>&lt;b&gt;圈出&lt;/b&gt;要固定的建议点。&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Not saved when Moldwright ended. Kept as it was at %1.</source>
+        <translation>Moldwright 结束时未保存。已保留 %1 时的状态。</translation>
+    </message>
+    <message>
+        <source>Work of %1</source>
+        <translation>%1 的工作</translation>
+    </message>
+    <message>
+        <source>Not saved when Moldwright ended, and what was kept cannot be read.</source>
+        <translation>Moldwright 结束时未保存，保留的内容也无法读取。</translation>
+    </message>
+    <message>
+        <source>Another part was not saved when Moldwright ended.</source>
+        <translation>Moldwright 结束时另一个零件尚未保存。</translation>
+    </message>
+    <message>
+        <source>%1 was kept as it was at %2.</source>
+        <translation>%1 已按 %2 时的状态保留。</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -4331,14 +4495,6 @@
         <translation>固定一个点</translation>
     </message>
     <message>
-        <source>Move pin %1</source>
-        <translation>移动固定点 %1</translation>
-    </message>
-    <message>
-        <source>Remove pin %1</source>
-        <translation>移除固定点 %1</translation>
-    </message>
-    <message>
         <source>Remove all pins</source>
         <translation>移除所有固定点</translation>
     </message>
@@ -4590,6 +4746,22 @@
         <source>There is a variant %1 already. Take another name.</source>
         <translation>已有变型 %1。请取另一个名称。</translation>
     </message>
+    <message>
+        <source>Take suggested pins</source>
+        <translation>采用建议的固定点</translation>
+    </message>
+    <message>
+        <source>No suggested point is seen inside the lasso.</source>
+        <translation>套索内没有可见的建议点。</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动%1</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>固定点 %1</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -4603,6 +4775,94 @@
     <message>
         <source>The search for pins was cancelled.</source>
         <translation>固定点的搜索已取消。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PaintTool</name>
+    <message>
+        <source>A lasso looks for its faces once the run has ended. The other brushes paint while it goes on.</source>
+        <translation>套索要等运行结束后才查找其中的面。其他画笔在运行期间也能绘制。</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Save as a preset</source>
+        <translation>保存为预设</translation>
+    </message>
+    <message>
+        <source>Name; one that is there already is replaced:</source>
+        <translation>名称；同名预设将被替换：</translation>
+    </message>
+    <message>
+        <source>The settings are none of the presets. Take one over to remove it.</source>
+        <translation>当前设置不是任何预设。请先采用要移除的预设。</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Block, layout, features and machines as they were saved under a name. Shrink and density stay as they are.</source>
+        <translation>以某名称保存的模块、布局、结构和设备。收缩率和密度保持不变。</translation>
+    </message>
+    <message>
+        <source>As set here</source>
+        <translation>按此处设置</translation>
+    </message>
+    <message>
+        <source>There is no preset {0}: none has been saved yet in {1}.</source>
+        <translation>没有预设 {0}：{1} 中尚未保存任何预设。</translation>
+    </message>
+    <message>
+        <source>There is no preset {0}. There are: {1}.</source>
+        <translation>没有预设 {0}。现有：{1}。</translation>
+    </message>
+    <message>
+        <source>The preset {0} cannot be understood. Save it anew, or remove it.</source>
+        <translation>无法理解预设 {0}。请重新保存或移除。</translation>
+    </message>
+    <message>
+        <source>A preset cannot be called “{0}”. Take up to 60 letters, digits, spaces, hyphens or dots between.</source>
+        <translation>预设不能命名为“{0}”。请使用最多 60 个字母或数字，中间可含空格、连字符或点。</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed: {1}.</source>
+        <translation>无法移除 {0}：{1}。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::LostCardFrame</name>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>显示文件夹</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Puts it into the trash.</source>
+        <translation>将其移到回收站。</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::Program</name>
+    <message>
+        <source>What is not saved is safe only while Moldwright runs. %1</source>
+        <translation>未保存的内容仅在 Moldwright 运行期间安全。%1</translation>
+    </message>
+    <message>
+        <source>%1 is open as it was, and is not saved.</source>
+        <translation>%1 已按原样打开，尚未保存。</translation>
     </message>
 </context>
 </TS>

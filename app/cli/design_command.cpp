@@ -68,22 +68,28 @@ std::vector<Message> warningsFor(const IndexedMesh& part, const DesignResult& re
     return warnings;
 }
 
+/// What files of guides hold, with all names.
+struct Guides {
+    std::vector<NamedPin> pins;
+    std::vector<ImportantRegion> importance;
+};
+
 /// Pins and importance from their files.
-Result<void> takeGuides(const DesignOptions& options, DesignRequest& request,
-                        std::vector<ImportantRegion>& importance) {
+Result<void> takeGuides(const DesignOptions& options, DesignRequest& request, Guides& guides) {
     if (options.pins != "none" && options.pins != "auto") {
-        Result<std::vector<Pin>> pins = readPins(options.pins, *request.part);
+        Result<std::vector<NamedPin>> pins = readPins(options.pins, *request.part);
         if (!pins)
             return std::unexpected(pins.error());
-        request.pins = std::move(*pins);
+        guides.pins = std::move(*pins);
+        request.pins.assign(guides.pins.begin(), guides.pins.end());
     }
     if (!options.weights.empty()) {
         Result<std::vector<ImportantRegion>> regions = readWeights(options.weights, *request.part);
         if (!regions)
             return std::unexpected(regions.error());
-        importance = std::move(*regions);
-        request.faceWeights = faceWeights(importance, request.part->faceCount());
-        request.regions = keptRegions(importance);
+        guides.importance = std::move(*regions);
+        request.faceWeights = faceWeights(guides.importance, request.part->faceCount());
+        request.regions = keptRegions(guides.importance);
     }
     return {};
 }
@@ -99,9 +105,9 @@ std::vector<UndercutChoice> undercutChoices(const DesignOptions& options) {
     return choices;
 }
 
-/// What is asked of a run; `importance` receives the regions of a file of weights.
+/// What is asked of a run; `guides` receives what their files hold.
 Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, const Session& session,
-                                 std::vector<ImportantRegion>& importance) {
+                                 Guides& guides) {
     DesignRequest request;
     request.part = std::move(part);
     const Result<std::optional<PartingPlane>> plane = options.state.givenPlane();
@@ -117,8 +123,8 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
     } else if (options.directions == "normal") {
         request.directionsChoice = DirectionsChoice::Normal;
     }
-    if (const Result<void> guides = takeGuides(options, request, importance); !guides)
-        return std::unexpected(guides.error());
+    if (const Result<void> taken = takeGuides(options, request, guides); !taken)
+        return std::unexpected(taken.error());
     request.draftDegrees = options.state.draft;
     const Result<DirectionLimits> limits = options.limits.limits();
     if (!limits)
@@ -135,8 +141,7 @@ Result<DesignRequest> requestFor(const DesignOptions& options, SharedMesh part, 
 }
 
 Project projectOf(const DesignOptions& options, const IndexedMesh& source, const Placement& placement,
-                  const DesignRequest& request, const std::vector<ImportantRegion>& importance,
-                  const DesignResult& result) {
+                  const DesignRequest& request, const Guides& guides, const DesignResult& result) {
     Project project;
     project.design = {request.draftDegrees, request.limits, request.directionsChoice,
                       request.method,       request.fill,   request.seed};
@@ -144,8 +149,8 @@ Project projectOf(const DesignOptions& options, const IndexedMesh& source, const
     const std::filesystem::path file(options.input);
     project = withPart(std::move(project), file.stem().string(), file.filename().string(),
                        std::make_shared<const IndexedMesh>(source), placement);
-    project.pins = request.pins;
-    project.importance = importance;
+    project.pins = named(request.pins, guides.pins);
+    project.importance = guides.importance;
     project = withState(std::move(project), result.state, request.plane.has_value());
     project.undercuts = request.undercuts;
     return result.castable ? withCast(std::move(project), result, request.draftDegrees) : project;
@@ -249,8 +254,8 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
         return std::unexpected(source.error());
     const Placement placement = options.size.placementFor(*source);
     const auto part = std::make_shared<const IndexedMesh>(placed(*source, placement));
-    std::vector<ImportantRegion> importance;
-    Result<DesignRequest> request = requestFor(options, part, session, importance);
+    Guides guides;
+    Result<DesignRequest> request = requestFor(options, part, session, guides);
     if (!request)
         return std::unexpected(request.error());
     FrameWriter frames(std::filesystem::path(options.output) / "frames");
@@ -266,8 +271,7 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
             return std::unexpected(done.error());
     whole.reset();
     result->seconds.insert(seconds.begin(), seconds.end());
-    const StoredProject project{projectOf(options, *source, placement, *request, importance, *result), "",
-                                ""};
+    const StoredProject project{projectOf(options, *source, placement, *request, guides, *result), "", ""};
     if (const Result<void> done = writeAll(options, *request, *result, project, session); !done)
         return std::unexpected(done.error());
     tell(*result, session);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/material_table.h"
 
+#include "exchange/user_folder.h"
+
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -32,18 +33,12 @@ fs::path bundledTable() {
 }
 
 std::vector<fs::path> ownTables() {
-    const char* config = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    fs::path folder;
-    if (config != nullptr && *config != '\0')
-        folder = config;
-    else if (home != nullptr)
-        folder = fs::path(home) / ".config";
-    else
+    const std::optional<fs::path> folder = userFolder("materials");
+    if (!folder)
         return {};
     std::vector<fs::path> files;
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder / "moldwright/materials", error))
+    for (const auto& entry : fs::directory_iterator(*folder, error))
         if (entry.path().extension() == ".json")
             files.push_back(entry.path());
     std::sort(files.begin(), files.end());

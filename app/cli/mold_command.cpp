@@ -4,7 +4,9 @@
 #include "cli/material_table.h"
 #include "cli/mold_options.h"
 #include "cli/open_project.h"
+#include "exchange/user_folder.h"
 #include "mold/mold_files.h"
+#include "project/presets.h"
 #include "report/figures.h"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +24,7 @@ struct MoldJob {
     MoldOptions mold;
     std::vector<std::string> also;
     std::string material;
+    std::string savePreset;
     std::string variant;
 };
 
@@ -45,9 +48,11 @@ Result<MoldSettings> withMaterial(MoldSettings settings, const std::string& name
     settings.density = material->density.value;
     notes.push_back(material->name + ": " + cited("shrink", material->shrinkPercent, " %") + ", " +
                     cited("density", material->density, " g/cm³") + ".");
-    if (material->ventDepth)
-        notes.push_back("Vents of an injection mold for it: " + cited("depth", *material->ventDepth, " mm") +
-                        ".");
+    if (material->ventDepth) {
+        settings.vents.depth = material->ventDepth->value;
+        notes.push_back("Vents in the parting plane as an injection mold for it has them: " +
+                        cited("depth", *material->ventDepth, " mm") + ".");
+    }
     if (!material->preparation.empty())
         notes.push_back("Preparation for " + material->name + ": " + material->preparation);
     if (material->draftDegrees.value > draftDegrees)
@@ -70,11 +75,14 @@ void describe(const Mold& mold, std::ostream& out) {
             << figureRoundedDown(mold.castCertificate.worstDraftDegrees, 2) << "°.\n";
     else
         out << "The mold was written, but it is not proved to open.\n";
-    const Eigen::Vector3d size = mold.half1.size + Eigen::Vector3d(0, 0, mold.half2.size.z());
+    const Eigen::Vector3d size = mold.blockSize;
     out << "Block " << readable(size.x()) << " x " << readable(size.y()) << " x " << readable(size.z())
         << " mm, " << mold.cavities << (mold.cavities == 1 ? " cavity, " : " cavities, ")
         << readable((mold.cavityVolume + mold.channelVolume) / 1000) << " cm³ a shot, smallest wall "
         << readable(mold.minWall) << " mm.\n";
+    if (mold.savedVolume > 0)
+        out << "The shell has " << readable(mold.savedVolume / 1000) << " cm³ less than its box, "
+            << readable(100 * mold.savedVolume / (mold.savedVolume + mold.blockVolume), 2) << " %.\n";
 }
 
 Result<ExitCode> build(const MoldJob& job, const Session& session) {
@@ -97,6 +105,11 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
     const Result<MoldSettings> settings = job.mold.applied(project.mold);
     if (!settings)
         return std::unexpected(settings.error());
+    if (!job.savePreset.empty())
+        if (const Result<void> saved =
+                savePreset(userFolder("presets").value_or(""), job.savePreset, *settings);
+            !saved)
+            return std::unexpected(saved.error());
     Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, *settings,
                                   session.task().part(0.1, 0.9));
     if (!mold)
@@ -145,9 +158,13 @@ Command moldCommand() {
             app.add_option("--also", job->also, "Further files: obj, ply, svg, dxf; comma between")
                 ->delimiter(',')
                 ->check(CLI::IsMember({"obj", "ply", "svg", "dxf"}));
-            app.add_option(
-                   "--material", job->material,
-                   "Takes shrink, formula and density from the table of materials; options given go first")
+            app.add_option("--material", job->material,
+                           "Takes shrink, formula, density and depth of vents from the table of materials; "
+                           "options given go "
+                           "first")
+                ->type_name("NAME");
+            app.add_option("--save-preset", job->savePreset,
+                           "Saves block, layout, features and machines under this name, for --preset")
                 ->type_name("NAME");
             addVariantOption(app, job->variant);
             job->mold.declare(app);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/mold_options.h"
 
+#include "exchange/user_folder.h"
 #include "project/guide_files.h"
+#include "project/presets.h"
 
 #include <CLI/CLI.hpp>
 
@@ -39,6 +41,8 @@ void MoldOptions::declare(CLI::App& app) {
 }
 
 void MoldOptions::declareBlock(CLI::App& app) {
+    app.add_option("--preset", preset, "What was saved under this name; options given go first")
+        ->type_name("NAME");
     length(app, "--wall", wall, "Steel round the cavities on all sides; the default is the project's");
     length(app, "--side-wall", side, "Steel at the sides alone");
     length(app, "--floor", floor, "Steel under the cavities of half 2");
@@ -46,9 +50,24 @@ void MoldOptions::declareBlock(CLI::App& app) {
     app.add_option("--size-step", step, "Block sizes round up to a multiple of this, mm; 0: not rounded")
         ->type_name("MM")
         ->check(CLI::NonNegativeNumber.description(""));
+    app.add_option("--block", block, "A box, or a shell: its corners cut away where nothing stands in them")
+        ->check(CLI::IsMember({"box", "shell"}));
+    app.add_option("--outer-draft", outerDraft,
+                   "The outer faces widen to the back by this, so that a half that is cast leaves its form; "
+                   "below 0 they narrow")
+        ->type_name("DEG")
+        ->check(CLI::Range(-15.0, 15.0));
     app.add_option("--stock", stock, "Lengths and widths of blocks that are to be had; comma between")
         ->type_name("MM,...")
         ->delimiter(',')
+        ->check(CLI::PositiveNumber.description(""));
+    app.add_option("--bed", bed, "What the printer can make: halves that are larger are told")
+        ->type_name("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3)
+        ->check(CLI::PositiveNumber.description(""));
+    app.add_option("--press", press, "What the press closes with: a mold that needs more is told")
+        ->type_name("KN")
         ->check(CLI::PositiveNumber.description(""));
     length(app, "--hollow", hollow, "Cast hollow with a wall of this: its volume and mass are told");
     length(app, "--least-steel", leastSteel, "Kept between features that are placed automatically");
@@ -97,6 +116,8 @@ void MoldOptions::declareChannels(CLI::App& app) {
     angle(app, "--spout-draft", spoutDraft, "Draft of the channels' walls");
     app.add_option("--vents", vents, "Vents where air would stay")->check(CLI::IsMember({"auto", "none"}));
     length(app, "--vent-diameter", ventDiameter, "At the narrowest");
+    length(app, "--vent-depth", ventDepth,
+           "Of vents in the parting plane, both halves together; by itself as deep as their width asks");
     app.add_option("--smallest-trap", smallestTrap, "Air that may stay")
         ->type_name("MM3")
         ->check(CLI::NonNegativeNumber.description(""));
@@ -137,7 +158,18 @@ void MoldOptions::declareHoles(CLI::App& app) {
         ->check(CLI::Range(1, 2));
 }
 
-Result<MoldSettings> MoldOptions::applied(MoldSettings settings) const {
+Result<MoldSettings> MoldOptions::afterPreset(MoldSettings settings) const {
+    if (preset.empty())
+        return settings;
+    const std::optional<std::filesystem::path> folder = userFolder("presets");
+    return withPreset(settings, folder.value_or(""), preset);
+}
+
+Result<MoldSettings> MoldOptions::applied(MoldSettings given) const {
+    Result<MoldSettings> taken = afterPreset(std::move(given));
+    if (!taken)
+        return taken;
+    MoldSettings settings = *std::move(taken);
     applyBlock(settings);
     if (Result<void> done = applyLayout(settings.layout); !done)
         return std::unexpected(done.error());
@@ -159,11 +191,17 @@ void MoldOptions::applyBlock(MoldSettings& settings) const {
     take(settings.floor, floor);
     take(settings.ceiling, ceiling);
     take(settings.step, step);
+    if (!block.empty())
+        settings.shape = block == "shell" ? BlockShape::Shell : BlockShape::Box;
+    take(settings.outerDraft, outerDraft);
     take(settings.pressure, pressure);
     take(settings.leastSteel, leastSteel);
     take(settings.hollow.wall, hollow);
     if (!stock.empty())
         settings.stock = stock;
+    if (!bed.empty())
+        settings.machines.bed = {bed[0], bed[1], bed[2]};
+    take(settings.machines.clamp, press);
     take(settings.density, density);
     take(settings.blockDensity, blockDensity);
 }
@@ -240,6 +278,7 @@ Result<void> MoldOptions::applyChannels(MoldSettings& settings) const {
     if (!vents.empty())
         settings.vents.on = vents == "auto";
     take(settings.vents.diameter, ventDiameter);
+    take(settings.vents.depth, ventDepth);
     take(settings.vents.smallestTrap, smallestTrap);
     return {};
 }

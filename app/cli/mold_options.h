@@ -32,19 +32,24 @@ private:
     [[nodiscard]] Result<void> applyShrink(ShrinkSettings& shrink) const;
     [[nodiscard]] Result<void> applyPlaces(PlacedFeatures& placed) const;
     [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;
+    [[nodiscard]] Result<MoldSettings> afterPreset(MoldSettings settings) const;
     void applyBlock(MoldSettings& settings) const;
     void applyRegistration(MoldSettings& settings) const;
     void applyHoles(MoldSettings& settings) const;
 
-    std::optional<double> wall, side, floor, ceiling, step, pressure, leastSteel, density, blockDensity;
+    std::optional<double> wall, side, floor, ceiling, step, outerDraft, pressure, leastSteel, density,
+        blockDensity;
     std::optional<double> hollow, neck;
-    std::vector<double> stock;
+    std::string preset;
+    std::optional<double> press;
+    std::vector<double> stock, bed;
+    std::string block;
     std::string cavities, arrangement, alternate, places;
     std::optional<double> spacing;
     std::vector<double> shrink, shrinkOrigin;
     std::string shrinkFormula;
     std::string spout, pour, vents;
-    std::optional<double> spoutDiameter, funnel, gate, spoutDraft, ventDiameter, smallestTrap;
+    std::optional<double> spoutDiameter, funnel, gate, spoutDraft, ventDiameter, ventDepth, smallestTrap;
     std::optional<int> keys, slits;
     std::optional<double> keyDiameter, keyHeight, keyClearance, keyLean, slitDepth, slitWidth, slitHeight;
     std::optional<int> bolts, ejectors, ejectorSide;

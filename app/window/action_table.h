@@ -23,6 +23,7 @@ enum class Needs {
     EditablePart,  ///< idle, or a run goes on that takes up what is changed
     EditablePlane, ///< the same, and there is a plane
     SuggestedPlane,
+    SuggestedPins,
     SuggestedTips,
     Pins,
     ChosenGuide,  ///< or a variant that may go
@@ -43,6 +44,9 @@ enum class Needs {
     LaterFrame,
     Branch, ///< a frame in view that another run can begin from
     Measured,
+    Renamable, ///< what is chosen is, and idle
+    Hideable,
+    LostWork, ///< found, and idle
     Undo,
     Redo
 };

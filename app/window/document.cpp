@@ -10,6 +10,14 @@ void Document::open(const Project& project, const QString& file) {
     Q_EMIT historyChanged();
 }
 
+void Document::openUnsaved(const Project& project) {
+    m_history.clear();
+    m_history.markUnsaved();
+    m_file.clear();
+    show(project);
+    Q_EMIT historyChanged();
+}
+
 void Document::edit(const QString& words, const Project& after, const QString& mergeKey) {
     if (m_project == after) {
         endPreview();

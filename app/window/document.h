@@ -24,6 +24,8 @@ public:
 
     /// A new document; the old history is gone.
     void open(const Project& project, const QString& file);
+    /// The same with one that is in no file: it counts as changed.
+    void openUnsaved(const Project& project);
 
     /// One undo step. An edit that changes nothing is none.
     void edit(const QString& words, const Project& after, const QString& mergeKey = {});

@@ -41,6 +41,8 @@ public:
 
     /// The document was saved as it is after `done` steps.
     void markSaved(std::size_t done) { m_saved = static_cast<std::ptrdiff_t>(done); }
+    /// No state of the document is saved.
+    void markUnsaved() { m_saved = -1; }
     [[nodiscard]] bool atSaved() const { return m_saved == static_cast<std::ptrdiff_t>(m_done); }
 
 private:

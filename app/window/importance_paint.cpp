@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/importance_paint.h"
 
+#include "design/face_origins.h"
 #include "mesh/measures.h"
 #include "theme/theme.h"
 #include "window/importance_pages.h"
@@ -28,6 +29,13 @@ bool isPart(const Workbench& bench, const ShownSurface& surface) {
     return surface.drawn && surface.drawn->mesh == bench.project().part;
 }
 
+/// Of a cast or a frame; null for the part, and while they are not known.
+std::shared_ptr<const FaceOrigins> originsOf(const Workbench& bench, const ShownSurface& surface) {
+    return surface.drawn && surface.before && !isPart(bench, surface)
+               ? bench.origins().of({bench.project().part, surface.drawn->mesh, surface.before})
+               : nullptr;
+}
+
 /// The regions that are shown.
 std::vector<ImportantRegion> shownRegions(const Workbench& bench, const Visibility& visible) {
     std::vector<ImportantRegion> shown;
@@ -43,17 +51,18 @@ scene::Rgb colourOf(int weightClass) {
                             : scene::importanceColours().at(static_cast<std::size_t>(weightClass - 1));
 }
 
-/// The middle of the region's face that lies nearest to the middle of them all.
-Eigen::Vector3d placeOf(const ImportantRegion& region, const IndexedMesh& part) {
-    const auto middleOf = [&](int f) -> Eigen::Vector3d {
-        return (part.corner(f, 0) + part.corner(f, 1) + part.corner(f, 2)) / 3;
-    };
+Eigen::Vector3d middleOf(const IndexedMesh& mesh, int f) {
+    return (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3;
+}
+
+/// The region's face whose middle lies nearest to the middle of them all.
+int middleFace(const ImportantRegion& region, const IndexedMesh& part) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const int f : region.faces)
-        sum += middleOf(f);
+        sum += middleOf(part, f);
     const Eigen::Vector3d middle = sum / static_cast<double>(region.faces.size());
-    return middleOf(*std::ranges::min_element(region.faces, {},
-                                              [&](int f) { return (middleOf(f) - middle).squaredNorm(); }));
+    return *std::ranges::min_element(region.faces, {},
+                                     [&](int f) { return (middleOf(part, f) - middle).squaredNorm(); });
 }
 
 } // namespace
@@ -62,11 +71,14 @@ FacePaint importancePaint(const Workbench& bench, const ShownSurface& surface, c
     FacePaint paint;
     const auto faces = static_cast<std::size_t>(surface.drawn->mesh->faceCount());
     paint.faces.assign(faces, theme().scene.part);
-    if (isPart(bench, surface)) {
+    const auto origins = originsOf(bench, surface);
+    if (origins || isPart(bench, surface)) {
         const std::vector<double> weights =
-            faceWeights(shownRegions(bench, visible), static_cast<int>(faces));
-        for (std::size_t f = 0; f < weights.size(); ++f)
-            paint.faces[f] = colourOf(scene::importanceClass(weights[f]));
+            faceWeights(shownRegions(bench, visible), bench.project().part->faceCount());
+        // Empty while nothing is painted.
+        for (std::size_t f = 0; f < faces && !weights.empty(); ++f)
+            if (const int source = origins ? origins->faces()[f] : static_cast<int>(f); source >= 0)
+                paint.faces[f] = colourOf(scene::importanceClass(weights[static_cast<std::size_t>(source)]));
     }
     if (surface.drawn->standIn)
         paint.standIn.assign(static_cast<std::size_t>(surface.drawn->standIn->mesh->faceCount()),
@@ -80,11 +92,10 @@ scene::PanelContent importanceLegend(const Workbench& bench, const ShownSurface&
                                      const Visibility& visible) {
     scene::PanelContent legend;
     legend.title = Words::tr("Importance").toStdString();
-    if (!isPart(bench, surface)) {
-        legend.lines.push_back(
-            {std::nullopt,
-             {{Words::tr("Shown on the part as opened only.").toStdString(), scene::Ink::Secondary}},
-             {}});
+    if (!isPart(bench, surface) && !originsOf(bench, surface)) {
+        const QString why = surface.before ? Words::tr("Looking where the faces come from")
+                                           : Words::tr("Not known for this shape.");
+        legend.lines.push_back({std::nullopt, {{why.toStdString(), scene::Ink::Secondary}}, {}});
         return legend;
     }
     const IndexedMesh& part = *bench.project().part;
@@ -106,19 +117,25 @@ scene::PanelContent importanceLegend(const Workbench& bench, const ShownSurface&
     return legend;
 }
 
-std::vector<scene::Chip> regionChips(const Workbench& bench, const SharedMesh& shown,
+std::vector<scene::Chip> regionChips(const Workbench& bench, const ShownSurface& surface,
                                      const Visibility& visible, const QString& selected) {
     std::vector<scene::Chip> chips;
-    if (shown != bench.project().part || !visible.importance)
+    const auto origins = originsOf(bench, surface);
+    if (!visible.importance || !(origins || isPart(bench, surface)))
         return chips;
+    const IndexedMesh& part = *bench.project().part;
     const std::vector<ImportantRegion>& regions = bench.project().importance;
     for (int i = 0; i < static_cast<int>(regions.size()); ++i) {
         const ImportantRegion& region = regions[static_cast<std::size_t>(i)];
         if (region.faces.empty() || !visible.shows(regionId(i)))
             continue;
         const bool chosen = selected == regionId(i);
+        const int middle = middleFace(region, part);
+        const int shown = origins ? origins->faceFrom(middle) : middle;
+        if (shown < 0)
+            continue;
         chips.push_back(
-            {placeOf(region, *bench.project().part),
+            {middleOf(*surface.drawn->mesh, shown),
              {{},
               {{std::nullopt,
                 {{region.name, scene::Ink::Text, chosen}, {weightText(heaviest(region)).toStdString()}},

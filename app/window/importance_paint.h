@@ -13,8 +13,8 @@ class Workbench;
 struct ShownSurface;
 struct Visibility;
 
-/// How the faces of a surface show importance: the part's darken with their weight, those of regions that
-/// are hidden excepted; of other shapes all are plain.
+/// How the faces of a surface show importance: they darken with the weight of the part's faces that they are
+/// or were, those of regions that are hidden excepted.
 [[nodiscard]] FacePaint importancePaint(const Workbench& bench, const ShownSurface& surface,
                                         const Visibility& visible);
 
@@ -22,9 +22,8 @@ struct Visibility;
 [[nodiscard]] scene::PanelContent importanceLegend(const Workbench& bench, const ShownSurface& surface,
                                                    const Visibility& visible);
 
-/// A chip with name and weight at each region that is not hidden; none where another shape than the part is
-/// shown.
-[[nodiscard]] std::vector<scene::Chip> regionChips(const Workbench& bench, const SharedMesh& shown,
+/// A chip with name and weight at each region that is not hidden.
+[[nodiscard]] std::vector<scene::Chip> regionChips(const Workbench& bench, const ShownSurface& surface,
                                                    const Visibility& visible, const QString& selected);
 
 } // namespace moldwright

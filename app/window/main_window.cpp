@@ -24,6 +24,7 @@
 #include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
+#include "window/recovery.h"
 #include "window/tour.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
@@ -74,8 +75,8 @@ QString stillThere(const QString& selected, const Workbench& bench) {
 
 } // namespace
 
-MainWindow::MainWindow(Workbench& bench, QWidget* parent)
-    : QMainWindow(parent), m_bench(bench), m_actions(this) {
+MainWindow::MainWindow(Workbench& bench, Recovery& recovery, QWidget* parent)
+    : QMainWindow(parent), m_bench(bench), m_recovery(recovery), m_actions(this) {
     setWindowIcon(themeIcon(u"moldwright"_s));
     setMinimumSize(1024, 700);
     setAcceptDrops(true);
@@ -94,6 +95,8 @@ MainWindow::MainWindow(Workbench& bench, QWidget* parent)
     connectActions();
     connectBench();
     connectPanels();
+    connectTree();
+    connectStart();
     restoreLayout();
     applyTheme();
     m_centre->currentWidget()->setFocus();
@@ -131,7 +134,7 @@ void MainWindow::refresh() {
     for (Dock* dock : m_docks)
         dock->setTitleShown(dock->isFloating() || tabifiedDockWidgets(dock).isEmpty());
     if (!open)
-        m_start->setRecent(preferences::recentFiles());
+        showStart();
     m_workflow->setStepsEnabled(open);
     const Verdict verdict = verdictOf(m_bench);
     m_workflow->verdict()->setVerdict(verdict.standing, verdict.sentence, verdict.reason);
@@ -151,9 +154,9 @@ void MainWindow::refresh() {
     std::vector<int> steps;
     for (const DesignFrame& frame : m_bench.keptFrames())
         steps.push_back(frame.step);
-    m_frames->setSteps(steps, m_bench.keptFrame());
+    m_frames->setSteps(steps, m_bench.frameInView());
     m_frames->setEnabled(m_bench.editable());
-    m_plots->setMarked(m_bench.keptFrame() < 0 ? 0 : m_bench.frame()->frame.step);
+    m_plots->setMarked(m_bench.goneBack() && m_bench.frame() ? m_bench.frame()->frame.step : 0);
     followComparison();
     refreshViews();
     refreshHistory();
@@ -199,6 +202,7 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::EditablePart, part && editable);
     add(Needs::EditablePlane, plane && editable);
     add(Needs::SuggestedPlane, idle && m_bench.suggestedPlane().has_value());
+    add(Needs::SuggestedPins, editable && !m_bench.suggestionsInView().empty());
     add(Needs::SuggestedTips,
         editable && std::ranges::count(m_bench.suggestionsInView(), PinKind::Tip, &SuggestedPin::kind) > 0);
     add(Needs::Pins, editable && !project.pins.empty());
@@ -219,13 +223,16 @@ std::set<Needs> MainWindow::given() const {
         idle && feature && placeByHand(project.mold.placed, feature->kind, feature->number));
     add(Needs::Running, m_bench.running());
     add(Needs::Bending, m_bench.bending());
-    const int newest = static_cast<int>(m_bench.keptFrames().size()) - 1;
-    const int frame = m_bench.keptFrame() < 0 ? newest : m_bench.keptFrame();
+    const int frame = m_bench.frameInView();
     add(Needs::Resting, m_bench.resting());
     add(Needs::EarlierFrame, editable && frame > 0);
-    add(Needs::LaterFrame, editable && frame < newest);
+    add(Needs::LaterFrame, editable && frame + 1 < static_cast<int>(m_bench.keptFrames().size()));
     add(Needs::Branch, editable && m_bench.frame() && m_bench.frame()->frame.partPoints);
     add(Needs::Measured, !m_measure->measurement().empty());
+    const ProjectRow* row = rowOf(rowMeant());
+    add(Needs::Renamable, idle && row && row->renamable);
+    add(Needs::Hideable, row && row->visible);
+    add(Needs::LostWork, idle && !m_recovery.found().empty() && m_recovery.found().front().project);
     add(Needs::Undo, editable && history.canUndo());
     add(Needs::Redo, editable && history.canRedo());
     return given;

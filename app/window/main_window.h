@@ -33,6 +33,7 @@ class ProgressPlots;
 class ProjectModel;
 class ProjectTree;
 class PropertyPanel;
+class Recovery;
 class StartPage;
 class Tour;
 class Turntable;
@@ -44,6 +45,7 @@ class Workbench;
 struct Advice;
 struct FaceMap;
 struct OpenedMesh;
+struct ProjectRow;
 struct ShownSurface;
 
 enum class ViewLayout;
@@ -55,6 +57,7 @@ enum class Tool {
     LayFlat,
     Pin,
     PinInside,
+    AcceptLasso,
     PlaneOnFace,
     PlaneByPoints,
     Paint,
@@ -68,7 +71,7 @@ enum class Tool {
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
-    MainWindow(Workbench& bench, QWidget* parent = nullptr);
+    MainWindow(Workbench& bench, Recovery& recovery, QWidget* parent = nullptr);
     ~MainWindow() override;
 
     [[nodiscard]] Actions& actions() { return m_actions; }
@@ -152,7 +155,20 @@ private:
     void endComparison();
     void followComparison();
     void chooseVariantNow(int variant);
+
+    // main_window_tree.cpp
+    void connectTree();
     void showRowMenu(const QString& id, const QPoint& place);
+    /// The row that a command is for; null where there is none.
+    [[nodiscard]] const ProjectRow* rowOf(const QString& id) const;
+    [[nodiscard]] QString rowMeant() const;
+
+    // main_window_start.cpp
+    void connectStart();
+    void showStart();
+    /// Says once that there is lost work, where the start page is not seen.
+    void tellOfLost();
+    void reopenLost(int which);
 
     // main_window_views.cpp
     void buildViews(QWidget* parent);
@@ -170,7 +186,7 @@ private:
     void showCut(ViewPane& pane);
     [[nodiscard]] std::vector<scene::Chip> chipsIn(const ViewPane& pane, const FaceMap* map) const;
     [[nodiscard]] std::vector<scene::Chip> directionChips(const ViewPane& pane) const;
-    [[nodiscard]] std::vector<scene::Chip> guideChips(const scene::Scene& scene) const;
+    [[nodiscard]] std::vector<scene::Chip> guideChips(const ViewPane& pane) const;
     /// Whether a view shows another variant than the current one.
     [[nodiscard]] bool showsOther(const ViewPane& pane) const;
     void showMold(scene::Scene& scene, bool shown);
@@ -216,6 +232,8 @@ private:
     static constexpr int layoutVersion = 1; ///< of the docks; another one forgets what was kept
 
     Workbench& m_bench;
+    Recovery& m_recovery;
+    bool m_toldOfLost = false;
     Actions m_actions;
     QTimer m_refresh;
     QTimer m_refreshViews;

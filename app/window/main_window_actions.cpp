@@ -23,6 +23,7 @@
 #include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/preferences_dialog.h"
+#include "window/preset_choice.h"
 #include "window/property_pages.h"
 #include "window/tour.h"
 #include "window/turn_dialog.h"
@@ -51,20 +52,6 @@
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
-
-namespace {
-
-/// Renames what a row of the tree stands for.
-void rename(Workbench& bench, const QString& id, const QString& name) {
-    if (const int region = regionNumber(id); region >= 0)
-        bench.renameRegion(region, name);
-    else if (const int variant = variantNumber(id); variant >= 0)
-        bench.renameVariant(variant, name);
-    else
-        bench.rename(name);
-}
-
-} // namespace
 
 void MainWindow::connectActions() {
     connectFileActions();
@@ -151,6 +138,7 @@ void MainWindow::connectDesignActions() {
     });
     connectFeatureActions();
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
+    connectPresets(m_actions, m_bench, this);
     m_actions.on(u"print-report"_s, [this] { chooseFileForReport(); });
     m_actions.on(u"open-mold"_s, [this] {
         select(u"mold"_s);
@@ -200,6 +188,7 @@ void MainWindow::connectBench() {
         m_fitWhenDrawn = Fit::FromHome;
         refresh();
         m_view->setFocus();
+        tellOfLost();
     });
     connect(&m_bench, &Workbench::unitAsked, this, &MainWindow::askUnit);
     connect(&m_bench, &Workbench::problem, this, [this](const QString& headline, const QString& text) {
@@ -244,19 +233,6 @@ void MainWindow::advise(const Advice& advice) {
 void MainWindow::connectPanels() {
     connect(m_workflow, &WorkflowBar::stepChosen, this, &MainWindow::chooseStep);
     connect(m_workflow, &WorkflowBar::verdictClicked, this, [this] { m_view->fitAll(); });
-    connect(m_start, &StartPage::fileChosen, this, &MainWindow::openPath);
-    connect(m_start, &StartPage::sampleChosen, &m_bench, &Workbench::openSample);
-    connect(m_start, &StartPage::clearRecent, this, [this] {
-        preferences::clearRecentFiles();
-        refreshSoon();
-    });
-    connect(m_tree, &ProjectTree::chosen, this, &MainWindow::select);
-    connect(m_tree, &ProjectTree::visibilityToggled, this, [this](const QString& id) {
-        toggle(m_visible, id);
-        refreshSoon();
-    });
-    connect(m_projectModel, &ProjectModel::renamed, this,
-            [this](const QString& id, const QString& name) { rename(m_bench, id, name); });
     connect(m_properties, &PropertyPanel::previewed, this, [this](const QString& id, const QVariant& value) {
         applyProperty(m_bench, m_properties->pageId(), id, value, true);
     });
@@ -275,8 +251,7 @@ void MainWindow::connectPanels() {
 
 void MainWindow::showFrameBeside(int way) {
     const int newest = static_cast<int>(m_bench.keptFrames().size()) - 1;
-    const int now = m_bench.keptFrame() < 0 ? newest : m_bench.keptFrame();
-    m_bench.showKept(std::clamp(now + way, 0, newest));
+    m_bench.showKept(std::clamp(m_bench.frameInView() + way, 0, newest));
 }
 
 void MainWindow::askTurn() {

@@ -47,7 +47,8 @@ std::vector<scene::Chip> MainWindow::directionChips(const ViewPane& pane) const 
     return chips;
 }
 
-std::vector<scene::Chip> MainWindow::guideChips(const scene::Scene& scene) const {
+std::vector<scene::Chip> MainWindow::guideChips(const ViewPane& pane) const {
+    const scene::Scene& scene = pane.view().scene();
     std::vector<scene::Chip> chips;
     if (const scene::SharpestCrease& crease = scene.sharpestCrease(); creaseTold(m_selected, crease))
         chips.push_back(
@@ -57,8 +58,9 @@ std::vector<scene::Chip> MainWindow::guideChips(const scene::Scene& scene) const
     if (scene.surface() && scene.surface()->mesh == m_bench.project().part && m_visible.pins)
         std::ranges::copy(pinChips(m_bench, m_selected), std::back_inserter(chips));
     if (scene.surface() && regionsChosen(m_selected) && !m_modeBefore)
-        std::ranges::copy(regionChips(m_bench, scene.surface()->mesh, m_visible, m_selected),
-                          std::back_inserter(chips));
+        std::ranges::copy(
+            regionChips(m_bench, m_bench.surface(pane.settings().content), m_visible, m_selected),
+            std::back_inserter(chips));
     if (planShown())
         std::ranges::copy(featureChips(m_bench, m_selected), std::back_inserter(chips));
     for (const Eigen::Vector3d& point : m_planePoints)
@@ -76,7 +78,7 @@ std::vector<scene::Chip> MainWindow::chipsIn(const ViewPane& pane, const FaceMap
     }
     std::ranges::copy(directionChips(pane), std::back_inserter(chips));
     if (!showsOther(pane))
-        std::ranges::copy(guideChips(scene), std::back_inserter(chips));
+        std::ranges::copy(guideChips(pane), std::back_inserter(chips));
     if (map)
         if (const auto largest = largestOf(*map))
             chips.push_back(*largest);

@@ -40,12 +40,13 @@ const std::vector<ToolSpec>& toolTable() {
         {Tool::LayFlat, u"lay-flat"_s, PartView::Picking::Face, true},
         {Tool::Pin, u"pin"_s, PartView::Picking::Pin, true},
         {Tool::PinInside, u"pin-inside"_s, PartView::Picking::PinInside, true},
+        {Tool::AcceptLasso, u"accept-lasso"_s, PartView::Picking::Lasso, true},
         {Tool::PlaneOnFace, u"plane-on-face"_s, PartView::Picking::Face},
         {Tool::PlaneByPoints, u"plane-by-points"_s, PartView::Picking::Place},
-        {Tool::Paint, u"paint"_s, PartView::Picking::Stroke, true},
-        {Tool::PaintCrease, u"paint-crease"_s, PartView::Picking::Stroke, true},
-        {Tool::PaintPiece, u"paint-piece"_s, PartView::Picking::Stroke, true},
-        {Tool::PaintLasso, u"paint-lasso"_s, PartView::Picking::Lasso, true},
+        {Tool::Paint, u"paint"_s, PartView::Picking::Stroke},
+        {Tool::PaintCrease, u"paint-crease"_s, PartView::Picking::Stroke},
+        {Tool::PaintPiece, u"paint-piece"_s, PartView::Picking::Stroke},
+        {Tool::PaintLasso, u"paint-lasso"_s, PartView::Picking::Lasso},
     };
     return table;
 }
@@ -83,7 +84,7 @@ void MainWindow::useTool(Tool tool) {
     }
     for (const ViewPane* pane : m_views->made())
         pane->view().setPicking(picking);
-    if (tool == Tool::Pin || tool == Tool::PinInside)
+    if (tool == Tool::Pin || tool == Tool::PinInside || tool == Tool::AcceptLasso)
         select(u"pins"_s);
     usePaintTool();
     if (tool != Tool::None)
@@ -106,6 +107,8 @@ QString MainWindow::toolHint() const {
     case Tool::PinInside:
         return tr("<b>Click</b> to pin the point inside below the pointer, with <b>Shift</b> the one on the "
                   "surface. <b>Esc</b> leaves.");
+    case Tool::AcceptLasso:
+        return tr("<b>Draw</b> around the suggested points that shall be pinned. <b>Esc</b> leaves.");
     case Tool::PlaneOnFace:
         return tr("<b>Click</b> the face that the parting plane shall lie in. <b>Esc</b> leaves.");
     case Tool::PlaneByPoints:
@@ -166,6 +169,10 @@ void MainWindow::servePins(ViewPane& pane) {
     connect(view, &PartView::pinDragCancelled, this, [this] {
         m_pinInside.reset();
         m_bench.document().endPreview();
+    });
+    connect(view, &PartView::lassoDrawn, this, [this](const scene::Lasso& lasso) {
+        if (m_tool == Tool::AcceptLasso && m_bench.editable())
+            m_bench.acceptSuggestionsIn(lasso);
     });
     connect(view, &PartView::pinPlaced, this, [this](const Eigen::Vector3d& place) {
         if (!m_bench.editable())

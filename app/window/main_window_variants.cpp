@@ -10,8 +10,6 @@
 #include "window/view_area.h"
 #include "window/workbench.h"
 
-#include <QMenu>
-
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
@@ -36,9 +34,6 @@ void MainWindow::connectVariantActions() {
                 selectCurrent();
         });
     m_actions.on(u"compare-variants"_s, [this] { compareVariants(); });
-    m_actions.on(u"rename-variant"_s,
-                 [this] { m_tree->rename(variantId(variantMeant(m_selected, m_bench))); });
-    connect(m_tree, &ProjectTree::menuRequested, this, &MainWindow::showRowMenu);
     connect(m_tree, &ProjectTree::taken, this, [this](const QString& id) {
         if (variantNumber(id) >= 0)
             chooseVariantNow(variantNumber(id));
@@ -76,21 +71,6 @@ void MainWindow::followComparison() {
     if (m_views->viewLayout() == ViewLayout::Compared && !m_bench.variants().compared())
         m_views->setViewLayout(m_layoutBefore);
     m_actions[u"compare-variants"_s]->setChecked(m_bench.variants().compared().has_value());
-}
-
-void MainWindow::showRowMenu(const QString& id, const QPoint& place) {
-    if (!variantsChosen(id))
-        return;
-    select(id);
-    refreshActions(); // for this row
-    QMenu menu;
-    for (const QString& command : {u"choose-variant"_s, u"compare-variants"_s})
-        menu.addAction(m_actions[command]);
-    menu.addSeparator();
-    for (const QString& command :
-         {u"duplicate-variant"_s, u"new-variant"_s, u"rename-variant"_s, u"remove-guide"_s})
-        menu.addAction(m_actions[command]);
-    menu.exec(place);
 }
 
 } // namespace moldwright

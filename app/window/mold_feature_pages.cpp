@@ -194,9 +194,7 @@ scene::ShownPlan shownPlan(const Workbench& bench, const QString& selected) {
     if (sketch == nullptr)
         return plan;
     const ToPart part(*sketch);
-    const Eigen::Vector2d low = sketch->block.min().head<2>();
-    const Eigen::Vector2d high = sketch->block.max().head<2>();
-    plan.lines.push_back(part.outline(planRectangle(low, high)));
+    plan.lines.push_back(part.outline(sketch->block.body.base));
     for (const PlanShape& line : sketch->partingLines)
         plan.lines.push_back(part.outline(line));
     for (const PlacedRow& row : bench.placing().rows()) {

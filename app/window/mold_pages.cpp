@@ -3,9 +3,11 @@
 
 #include "project/edits.h"
 #include "window/action_table.h"
+#include "window/preset_choice.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <functional>
@@ -24,8 +26,8 @@ struct Words {
 /// A setting of the mold: its row, and how a value comes from the settings and goes into them.
 struct Field {
     Property row;
-    std::function<double(const MoldSettings&)> read;
-    std::function<void(MoldSettings&, double)> write;
+    std::function<QVariant(const MoldSettings&)> read;
+    std::function<void(MoldSettings&, const QVariant&)> write;
 };
 
 struct FieldSection {
@@ -46,9 +48,9 @@ Field numberField(const QString& id, const QString& label, const QString& help, 
                 MoldSettings copy = mold;
                 return static_cast<double>(place(copy));
             },
-            [place](MoldSettings& mold, double value) {
+            [place](MoldSettings& mold, const QVariant& value) {
                 auto& number = place(mold);
-                number = static_cast<std::remove_reference_t<decltype(number)>>(value);
+                number = static_cast<std::remove_reference_t<decltype(number)>>(value.toDouble());
             }};
 }
 
@@ -67,11 +69,64 @@ FieldSection blockFields() {
          numberField(u"ceiling"_s, Words::tr("Over half 1"), Words::tr("Steel over the cavities of half 1."),
                      steel, [](MoldSettings& mold) -> double& { return mold.ceiling; }),
          numberField(u"floor"_s, Words::tr("Under half 2"), Words::tr("Steel under the cavities of half 2."),
-                     steel, [](MoldSettings& mold) -> double& { return mold.floor; })}};
+                     steel, [](MoldSettings& mold) -> double& { return mold.floor; }),
+         {{u"block-shape"_s, Words::tr("Outline"),
+           Words::tr(
+               "A box, or a shell that saves material: what holds nothing is cut away from its corners."),
+           ChoiceProperty{{Words::tr("Box"), Words::tr("Shell")}}},
+          [](const MoldSettings& mold) { return static_cast<double>(mold.shape); },
+          [](MoldSettings& mold, const QVariant& value) {
+              mold.shape = static_cast<BlockShape>(value.toInt());
+          }},
+         numberField(
+             u"outer-draft"_s, Words::tr("Outer draft"),
+             Words::tr("The outer faces widen to the back by this, so that a half that is cast leaves "
+                       "its form; below 0 they narrow."),
+             {u"°"_s, -15, 15, 0.5, 1, false},
+             [](MoldSettings& mold) -> double& { return mold.outerDraft; })}};
+}
+
+/// The lengths of a stock as a person writes them, and back; what is no length is left out.
+QString stockText(const std::vector<double>& stock) {
+    QStringList lengths;
+    for (const double length : stock)
+        lengths += QString::number(length);
+    return lengths.join(u", "_s);
+}
+std::vector<double> stockFrom(const QString& text) {
+    std::vector<double> stock;
+    for (const QString& word : text.split(QRegularExpression(u"[,;\\s]+"_s), Qt::SkipEmptyParts))
+        if (const double length = word.toDouble(); length > 0)
+            stock.push_back(length);
+    return stock;
+}
+
+FieldSection machineFields() {
+    const auto axis = [](Eigen::Index k) {
+        return [k](MoldSettings& mold) -> double& { return mold.machines.bed[k]; };
+    };
+    const NumberProperty length = millimetres(0, 5000);
+    const QString help =
+        Words::tr("What the printer can make; a half that is larger is told of. 0: not known.");
+    return {Words::tr("Stock and machines"),
+            {{{u"stock"_s, Words::tr("Stock"),
+               Words::tr("Lengths and widths of blocks that are to be had, in mm, a comma between; the next "
+                         "is taken. Empty: any."),
+               TextProperty{u"80, 100, 120"_s}},
+              [](const MoldSettings& mold) { return stockText(mold.stock); },
+              [](MoldSettings& mold, const QVariant& value) { mold.stock = stockFrom(value.toString()); }},
+             numberField(u"bed-x"_s, Words::tr("Printer's width"), help, length, axis(0)),
+             numberField(u"bed-y"_s, Words::tr("Printer's depth"), help, length, axis(1)),
+             numberField(u"bed-z"_s, Words::tr("Printer's height"), help, length, axis(2)),
+             numberField(u"press"_s, Words::tr("Press"),
+                         Words::tr("What it closes with; a mold that needs more is told of. 0: not known."),
+                         {u"kN"_s, 0, 100000, 1, 1, false},
+                         [](MoldSettings& mold) -> double& { return mold.machines.clamp; })}};
 }
 
 FieldSection cavityFields() {
     const NumberProperty upTo{{}, 1, 12, 1, 0, false};
+    const NumberProperty shrinkRange{u"%"_s, -5, 20, 0.1, 2, false};
     return {Words::tr("Cavities"),
             {numberField(u"columns"_s, Words::tr("Side by side"), Words::tr("Cavities in a row."), upTo,
                          [](MoldSettings& mold) -> int& { return mold.layout.columns; }),
@@ -81,24 +136,33 @@ FieldSection cavityFields() {
                Words::tr("How rows lie to each other. Packed: as close as the outlines allow."),
                ChoiceProperty{{Words::tr("Grid"), Words::tr("Staggered"), Words::tr("Packed")}}},
               [](const MoldSettings& mold) { return static_cast<double>(mold.layout.arrangement); },
-              [](MoldSettings& mold, double value) {
-                  mold.layout.arrangement = static_cast<Arrangement>(static_cast<int>(value));
+              [](MoldSettings& mold, const QVariant& value) {
+                  mold.layout.arrangement = static_cast<Arrangement>(value.toInt());
               }},
              numberField(u"spacing"_s, Words::tr("Steel between"),
                          Words::tr("Between cavities, and between them and channels."), millimetres(1, 50),
                          [](MoldSettings& mold) -> double& { return mold.layout.spacing; }),
              {{u"shrink"_s, Words::tr("Shrink"),
-               Words::tr("By how much the material shrinks, the same along all axes; the cavity is made "
-                         "larger by it. Less than 0: it expands."),
-               NumberProperty{u"%"_s, -5, 20, 0.1, 2, false}},
+               Words::tr("By how much the material shrinks; the cavity is made larger by it. The same along "
+                         "all axes of the part until y or z differ, then along x. Less than 0: it expands."),
+               shrinkRange},
               [](const MoldSettings& mold) { return mold.shrink.percent.x(); },
-              [](MoldSettings& mold, double value) { mold.shrink.percent.setConstant(value); }},
+              [](MoldSettings& mold, const QVariant& value) {
+                  Eigen::Vector3d& percent = mold.shrink.percent;
+                  const bool asOne = percent.y() == percent.x() && percent.z() == percent.x();
+                  percent = asOne ? Eigen::Vector3d::Constant(value.toDouble())
+                                  : Eigen::Vector3d(value.toDouble(), percent.y(), percent.z());
+              }},
+             numberField(u"shrink-y"_s, Words::tr("Along y"), Words::tr("Shrink along y of the part."),
+                         shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.y(); }),
+             numberField(u"shrink-z"_s, Words::tr("Along z"), Words::tr("Shrink along z of the part."),
+                         shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.z(); }),
              {{u"shrink-formula"_s, Words::tr("Made larger by"),
                Words::tr("Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which."),
                ChoiceProperty{{u"1 + S"_s, u"1 / (1 − S)"_s}}},
               [](const MoldSettings& mold) { return static_cast<double>(mold.shrink.formula); },
-              [](MoldSettings& mold, double value) {
-                  mold.shrink.formula = value == 0 ? ShrinkFormula::Plus : ShrinkFormula::Divide;
+              [](MoldSettings& mold, const QVariant& value) {
+                  mold.shrink.formula = value.toInt() == 0 ? ShrinkFormula::Plus : ShrinkFormula::Divide;
               }}}};
 }
 
@@ -113,9 +177,9 @@ FieldSection fillingFields() {
           [](const MoldSettings& mold) {
               return !mold.spout.on ? 0.0 : mold.spout.resting == Resting::Standing ? 1.0 : 2.0;
           },
-          [](MoldSettings& mold, double value) {
-              mold.spout.on = value != 0;
-              mold.spout.resting = value == 2 ? Resting::Lying : Resting::Standing;
+          [](MoldSettings& mold, const QVariant& value) {
+              mold.spout.on = value.toInt() != 0;
+              mold.spout.resting = value.toInt() == 2 ? Resting::Lying : Resting::Standing;
           }},
          numberField(u"spout-diameter"_s, Words::tr("Spout's width"),
                      Words::tr("In the parting plane; of one through half 1, above its neck."),
@@ -126,7 +190,11 @@ FieldSection fillingFields() {
          {{u"vents"_s, Words::tr("Vents"), Words::tr("Where air would stay while the mold is filled."),
            ChoiceProperty{{Words::tr("None"), Words::tr("Automatic")}}},
           [](const MoldSettings& mold) { return mold.vents.on ? 1.0 : 0.0; },
-          [](MoldSettings& mold, double value) { mold.vents.on = value != 0; }},
+          [](MoldSettings& mold, const QVariant& value) { mold.vents.on = value.toInt() != 0; }},
+         numberField(u"vent-depth"_s, Words::tr("Vents' depth"),
+                     Words::tr("In the parting plane, both halves together; 0: as their width asks."),
+                     {u"mm"_s, 0, 5, 0.01, 3, false},
+                     [](MoldSettings& mold) -> double& { return mold.vents.depth; }),
          numberField(u"hollow"_s, Words::tr("Cast hollow"),
                      Words::tr("The wall that stays when the rest is poured out again; 0: solid."),
                      millimetres(0, 50), [](MoldSettings& mold) -> double& { return mold.hollow.wall; })}};
@@ -151,7 +219,7 @@ FieldSection closingFields() {
 }
 
 std::vector<FieldSection> fieldSections() {
-    return {blockFields(), cavityFields(), fillingFields(), closingFields()};
+    return {blockFields(), cavityFields(), fillingFields(), closingFields(), machineFields()};
 }
 
 Property reading(const QString& id, const QString& label) {
@@ -187,7 +255,7 @@ void fillMeasured(PropertyPanel& panel, const Workbench& bench, const Mold& mold
 
 PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
     PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), Words::tr("Two halves around the cast."), {}};
-    page.layout = bench.moldIsCurrent() ? u"built"_s : QString();
+    page.layout = (bench.moldIsCurrent() ? u"built,"_s : QString()) + presetNamesShown().join(u',');
     for (const FieldSection& section : fieldSections()) {
         PropertySection rows{section.title, {}, {}, false};
         for (const Field& field : section.fields)
@@ -199,6 +267,7 @@ PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
         bench.moldIsCurrent()
             ? std::vector{actions[u"export-mold"_s], actions[u"build-mold"_s], actions[u"open-mold"_s]}
             : std::vector{actions[u"build-mold"_s]};
+    page.sections.push_back(presetSection(actions));
     page.sections.push_back(
         {Words::tr("Measured"),
          {reading(u"half1"_s, Words::tr("Half 1, mm")), reading(u"half2"_s, Words::tr("Half 2, mm")),
@@ -217,17 +286,23 @@ void fillMoldPage(PropertyPanel& panel, const Workbench& bench) {
     for (const FieldSection& section : fieldSections())
         for (const Field& field : section.fields)
             panel.setValue(field.row.id, field.read(bench.project().mold));
+    panel.setValue(presetRow(), presetShown(bench.project().mold));
     if (bench.mold())
         fillMeasured(panel, bench, *bench.mold());
 }
 
-std::optional<Project> withMoldValue(const Project& project, const QString& id, double value) {
+std::optional<Project> withMoldValue(const Project& project, const QString& id, const QVariant& value) {
+    const auto changed = [&](const MoldSettings& mold) {
+        return mold == project.mold ? std::nullopt : std::optional(withMoldSettings(project, mold));
+    };
+    if (id == presetRow())
+        return changed(withPresetShown(project.mold, value.toInt()));
     for (const FieldSection& section : fieldSections())
         for (const Field& field : section.fields)
             if (field.row.id == id) {
                 MoldSettings mold = project.mold;
                 field.write(mold, value);
-                return mold == project.mold ? std::nullopt : std::optional(withMoldSettings(project, mold));
+                return changed(mold);
             }
     return std::nullopt;
 }

@@ -16,6 +16,7 @@ class Workbench;
 void fillMoldPage(PropertyPanel& panel, const Workbench& bench);
 
 /// The project with a value of that page taken; none for the id of anything else, or where nothing changes.
-[[nodiscard]] std::optional<Project> withMoldValue(const Project& project, const QString& id, double value);
+[[nodiscard]] std::optional<Project> withMoldValue(const Project& project, const QString& id,
+                                                   const QVariant& value);
 
 } // namespace moldwright

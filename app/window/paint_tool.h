@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/face_neighbours.h"
+#include "mesh/geodesic_disc.h"
 #include "scene/lasso.h"
 #include "scene/surface_picker.h"
 
@@ -20,8 +21,8 @@ class Workbench;
 /// or what is seen in a lasso.
 enum class PaintBy { Brush, Crease, Piece, Lasso };
 
-/// The tools that paint importance: they turn strokes over the part into edits of its regions, each shown
-/// while it is drawn and one undo step in the end.
+/// The tools that paint importance: they turn strokes over the part, its cast or a frame of a run into edits
+/// of the part's regions, each shown while it is drawn and one undo step in the end.
 class PaintTool : public QObject {
     Q_OBJECT
 public:
@@ -45,11 +46,13 @@ Q_SIGNALS:
 
 private:
     void begin(const ViewPane& pane, const scene::SurfacePicker::Hit& hit, bool inverted);
-    void goOn(const std::vector<scene::SurfacePicker::Hit>& hits);
+    void goOn(const ViewPane& pane, const std::vector<scene::SurfacePicker::Hit>& hits);
     void end();
     void takeLasso(const ViewPane& pane, const scene::Lasso& lasso, bool inverted);
-    [[nodiscard]] bool mayPaint(const ViewPane& pane);
-    void add(const scene::SurfacePicker::Hit& hit);
+    /// Where on the part something was hit; none where it is not known, or filling made it.
+    [[nodiscard]] std::optional<SurfacePlace> placeOf(const ViewPane& pane,
+                                                      const scene::SurfacePicker::Hit& hit) const;
+    void add(const SurfacePlace& place);
 
     Workbench& m_bench;
     std::optional<PaintBy> m_by;

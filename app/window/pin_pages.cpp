@@ -27,11 +27,8 @@ struct Words {
 const QString allId = u"pins"_s;
 const QString suggestedId = u"suggested-pins"_s;
 const QString placePrefix = u"pin-place-"_s; ///< then the axis
+const QString wayPrefix = u"pin-way-"_s;     ///< then the pin's number
 const std::array axes = {u"x"_s, u"y"_s, u"z"_s};
-
-QString nameOf(int number) {
-    return Words::tr("Pin %1").arg(number + 1);
-}
 
 std::optional<double> wayToPlane(const Workbench& bench, int number) {
     const Project& project = bench.project();
@@ -66,8 +63,25 @@ PropertySection suggestedSection(const Workbench& bench, const Actions& actions)
                                             true}},
                     Property{u"pin-tips"_s, Words::tr("Ends of limbs"), {}, ReadingProperty{}}};
     section.notes = {Words::tr("Click a faint ring in the view to take it.")};
-    section.buttons = {actions[u"accept-tips"_s]};
+    section.buttons = {actions[u"accept-tips"_s], actions[u"accept-lasso"_s]};
     return section;
+}
+
+QStringList pinNames(const Workbench& bench) {
+    QStringList names;
+    for (int i = 0; i < static_cast<int>(bench.project().pins.size()); ++i)
+        names << bench.pinName(i);
+    return names;
+}
+
+/// Each pin with its way to the plane.
+PropertySection tableOfPins(const Workbench& bench) {
+    PropertySection table{Words::tr("To the plane"), {}, {}, false};
+    for (const QString& name : pinNames(bench))
+        table.rows.push_back(Property{wayPrefix + QString::number(table.rows.size()), name,
+                                      Words::tr("How far a run has to draw it, along the plane's normal."),
+                                      ReadingProperty{}});
+    return table;
 }
 
 PropertyPage allPage(const Workbench& bench, const Actions& actions) {
@@ -76,7 +90,7 @@ PropertyPage allPage(const Workbench& bench, const Actions& actions) {
                       Words::tr("Pins"),
                       Words::tr("Hold points of the part on the parting plane."),
                       {}};
-    page.layout = u"%1%2"_s.arg(bench.suggestionsKnown()).arg(bench.project().pins.empty());
+    page.layout = u"%1 %2"_s.arg(bench.suggestionsKnown()).arg(pinNames(bench).join(u'\n'));
     PropertySection set{Words::tr("Set by hand"), {}, {actions[u"pin"_s], actions[u"pin-inside"_s]}, true};
     if (bench.project().pins.empty())
         set.notes = {Words::tr("No pins yet. Where limbs curl, pins at their ends unroll them.")};
@@ -84,6 +98,7 @@ PropertyPage allPage(const Workbench& bench, const Actions& actions) {
         set.rows = {Property{u"pin-number"_s, Words::tr("Pins"), {}, ReadingProperty{}},
                     Property{u"pin-farthest"_s, Words::tr("Farthest from the plane"), {}, ReadingProperty{}}};
     page.sections = {std::move(set),
+                     tableOfPins(bench),
                      suggestedSection(bench, actions),
                      {Words::tr("All pins"),
                       {},
@@ -120,9 +135,10 @@ void addPinRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Vis
                         .parent = parent,
                         .iconName = u"pin"_s,
                         .tint = toColor(theme().scene.pinLine),
-                        .name = nameOf(i),
+                        .name = bench.pinName(i),
                         .value = wayText(bench, i),
-                        .visible = visible.shows(pinId(i))});
+                        .visible = visible.shows(pinId(i)),
+                        .renamable = true});
     if (bench.suggestionsKnown())
         rows.push_back({.id = suggestedId,
                         .parent = parent,
@@ -135,7 +151,8 @@ void addPinRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Vis
 PropertyPage pinPage(int number, const Workbench& bench, const Actions& actions) {
     if (!isPin(bench, number))
         return allPage(bench, actions);
-    PropertyPage page{pinId(number), u"pin"_s, nameOf(number), Words::tr("Pins"), {}};
+    PropertyPage page{pinId(number), u"pin"_s, bench.pinName(number), Words::tr("Pins"), {}};
+    page.layout = page.title;
     const NumberProperty place{u"mm"_s, -10000, 10000, 0.5, 2, false};
     PropertySection where{Words::tr("Place in the part"), {}, {actions[u"remove-guide"_s]}, false};
     for (const QString& axis : axes)
@@ -154,7 +171,7 @@ void fillPinPage(PropertyPanel& panel, const Workbench& bench) {
     const auto reading = [&](const QString& id, const QString& value) {
         panel.setValue(id, QStringList{value, QString()});
     };
-    const std::vector<Pin>& pins = bench.project().pins;
+    const std::vector<NamedPin>& pins = bench.project().pins;
     if (panel.pageId() == allId) {
         int farthest = 0;
         for (int i = 1; i < static_cast<int>(pins.size()); ++i)
@@ -162,6 +179,8 @@ void fillPinPage(PropertyPanel& panel, const Workbench& bench) {
                 farthest = i;
         reading(u"pin-number"_s, QString::number(pins.size()));
         reading(u"pin-farthest"_s, pins.empty() ? u"–"_s : wayText(bench, farthest));
+        for (int i = 0; i < static_cast<int>(pins.size()); ++i)
+            reading(wayPrefix + QString::number(i), wayText(bench, i));
         panel.setValue(u"pin-count"_s, bench.suggestionCount());
         const std::vector<SuggestedPin> suggested = bench.suggestionsInView();
         reading(u"pin-tips"_s,
@@ -198,7 +217,7 @@ scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool
     scene::ShownPins shown;
     const int chosen = pinNumber(selected);
     const std::optional<MoldState> state = bench.shownState();
-    const std::vector<Pin>& pins = bench.pinsInView();
+    const std::vector<Pin> pins = bench.pinsInView();
     for (int i = 0; i < static_cast<int>(pins.size()); ++i) {
         if (!visible.shows(pinId(i)))
             continue;
@@ -219,8 +238,9 @@ std::vector<scene::Chip> pinChips(const Workbench& bench, const QString& selecte
     if (!isPin(bench, number))
         return {};
     const std::string way = Words::tr("%1 to the plane").arg(wayText(bench, number)).toStdString();
-    return {{bench.project().pins[static_cast<std::size_t>(number)].point,
-             {{}, {{std::nullopt, {{nameOf(number).toStdString()}, {way, scene::Ink::Text, true}}, {}}}}}};
+    return {
+        {bench.project().pins[static_cast<std::size_t>(number)].point,
+         {{}, {{std::nullopt, {{bench.pinName(number).toStdString()}, {way, scene::Ink::Text, true}}, {}}}}}};
 }
 
 } // namespace moldwright

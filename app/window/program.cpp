@@ -5,6 +5,7 @@
 #include "theme/theme.h"
 #include "window/main_window.h"
 #include "window/preferences.h"
+#include "window/sentence.h"
 
 #include <QApplication>
 #include <QFont>
@@ -30,8 +31,10 @@ void prepareApplication() {
     QApplication::setFont(font);
 }
 
-Program::Program() {
+Program::Program() : m_autosave(m_bench.document()) {
+    keepWork();
     setLanguage(preferences::language());
+    m_recovery.look();
 }
 
 Program::~Program() = default;
@@ -48,10 +51,23 @@ void Program::setLanguage(const QString& language) {
     showWindow();
 }
 
+void Program::keepWork() {
+    connect(&m_autosave, &Autosave::failed, &m_bench, [this](const Error& error) {
+        m_bench.say(
+            Standing::Warning,
+            tr("What is not saved is safe only while Moldwright runs. %1").arg(sentence(error.message)));
+    });
+    connect(&m_recovery, &Recovery::reopened, this, [this](const LostWork& work) {
+        m_autosave.goOnIn(work.folder);
+        m_bench.openLost(*work.project);
+        m_bench.say(Standing::Warning, tr("%1 is open as it was, and is not saved.").arg(work.name));
+    });
+}
+
 void Program::showWindow() {
     if (m_window)
         m_window->keepLayout();
-    auto window = std::make_unique<MainWindow>(m_bench);
+    auto window = std::make_unique<MainWindow>(m_bench, m_recovery);
     // Queued: the window that asks is the one that goes.
     connect(window.get(), &MainWindow::languageChosen, this, &Program::setLanguage, Qt::QueuedConnection);
     window->show();

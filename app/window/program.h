@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "window/autosave.h"
+#include "window/recovery.h"
 #include "window/workbench.h"
 
 #include <QTranslator>
@@ -23,14 +25,19 @@ public:
 
     [[nodiscard]] MainWindow& window() { return *m_window; }
     [[nodiscard]] Workbench& bench() { return m_bench; }
+    [[nodiscard]] Autosave& autosave() { return m_autosave; }
+    [[nodiscard]] Recovery& recovery() { return m_recovery; }
     void setLanguage(const QString& language);
 
 private:
+    void keepWork();
     void showWindow();
 
     QTranslator m_translator;
     QTranslator m_qtTranslator;
     Workbench m_bench;
+    Autosave m_autosave;
+    Recovery m_recovery;
     std::unique_ptr<MainWindow> m_window;
 };
 

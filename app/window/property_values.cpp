@@ -186,22 +186,31 @@ Edit directionEdit(const Project& project, const QString& id, double degrees) {
     return {Words::tr("Turn direction %1").arg(side), withDirections(project, turned.directions)};
 }
 
-std::optional<Edit> editFor(const Project& project, const QString& id, const QVariant& value) {
-    const double number = value.toDouble();
-    DesignSettings design = project.design;
+std::optional<Edit> placementEdit(const Project& project, const QString& id, double number) {
     if (id == u"size"_s)
         return Edit{Words::tr("Scale the part"), withPlacement(project, scaledTo(project, number))};
     for (int axis = 0; axis < 3; ++axis)
         if (id == QString(QChar(u'x' + axis)))
             return Edit{Words::tr("Move the part"), withPlacement(project, placedAt(project, axis, number))};
-    if (id == u"offset"_s && project.state) {
-        PartingPlane plane = project.state->plane;
-        plane.offset = number;
-        return Edit{Words::tr("Move the plane"),
-                    withState(project, scene::withPlane(*project.state, plane), true)};
-    }
-    if (project.state && (id.startsWith(u"lean"_s) || id.startsWith(u"way"_s)))
+    return std::nullopt;
+}
+
+/// Whether a value is of the plane or the directions.
+bool isOfState(const QString& id) {
+    return id == u"offset"_s || id.startsWith(u"lean"_s) || id.startsWith(u"way"_s);
+}
+
+Edit stateEdit(const Project& project, const QString& id, double number) {
+    if (id != u"offset"_s)
         return directionEdit(project, id, number);
+    PartingPlane plane = project.state->plane;
+    plane.offset = number;
+    return {Words::tr("Move the plane"), withState(project, scene::withPlane(*project.state, plane), true)};
+}
+
+DesignSettings withDesignValue(DesignSettings design, const Project& project, const QString& id,
+                               const QVariant& value) {
+    const double number = value.toDouble();
     if (id == u"draft"_s)
         design.draftDegrees = number;
     else if (id == u"tilt"_s)
@@ -220,9 +229,18 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
         design.method = value.toInt() == 1 ? DeformationMethod::Paper : DeformationMethod::Default;
     else if (id == u"fill"_s)
         design.fill = value.toInt() == 1 ? FillChoice::Auto : FillChoice::None;
-    if (!(design == project.design))
+    return design;
+}
+
+std::optional<Edit> editFor(const Project& project, const QString& id, const QVariant& value) {
+    if (auto placed = placementEdit(project, id, value.toDouble()))
+        return placed;
+    if (project.state && isOfState(id))
+        return stateEdit(project, id, value.toDouble());
+    if (const DesignSettings design = withDesignValue(project.design, project, id, value);
+        design != project.design)
         return Edit{Words::tr("Change the deformation's settings"), withDesignSettings(project, design)};
-    if (auto molded = withMoldValue(project, id, number))
+    if (auto molded = withMoldValue(project, id, value))
         return Edit{Words::tr("Change the mold"), std::move(*molded)};
     return std::nullopt;
 }
@@ -273,8 +291,7 @@ void applyProperty(Workbench& bench, const QString& page, const QString& id, con
         return;
     }
     // Plane and directions are edited from where the run has them.
-    const bool ofState = id == u"offset"_s || id.startsWith(u"lean"_s) || id.startsWith(u"way"_s);
-    const Project from = ofState ? bench.projectInView() : bench.document().committed();
+    const Project from = isOfState(id) ? bench.projectInView() : bench.document().committed();
     const auto edit = editFor(from, id, value);
     if (!edit)
         bench.document().endPreview();

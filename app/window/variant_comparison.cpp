@@ -16,11 +16,6 @@ VariantComparison::VariantComparison(QObject* parent)
     });
 }
 
-VariantComparison::~VariantComparison() {
-    const std::lock_guard lock(m_mutex);
-    m_waiting.clear();
-}
-
 void VariantComparison::follow(const Project& project) {
     const std::string before = m_project.variantName;
     const auto number = compared();
@@ -103,37 +98,32 @@ void VariantComparison::setWanted(bool wanted) {
     measureMissing();
 }
 
-void VariantComparison::measureMissing() {
-    std::vector<Key> missing;
+std::optional<VariantComparison::Key> VariantComparison::firstMissing() const {
     if (m_project.part && (m_wanted || !m_project.others.empty()))
         for (std::size_t i = 0; i < variantCount(m_project); ++i)
             if (variantAt(m_project, i).cast && !figures(i))
-                missing.push_back(keyOf(i));
-    {
-        const std::lock_guard lock(m_mutex);
-        m_waiting = missing;
-    }
-    if (!missing.empty())
-        m_thread.post([this] { work(); });
+                return keyOf(i);
+    return std::nullopt;
 }
 
-void VariantComparison::work() {
-    Key key;
-    {
-        const std::lock_guard lock(m_mutex);
-        if (m_waiting.empty())
-            return; // newer requests took the place of the one that woke this
-        key = std::move(m_waiting.front());
-        m_waiting.erase(m_waiting.begin());
-    }
-    Variant variant;
-    variant.cast = key.cast;
-    variant.mold = key.mold;
-    const auto known = std::make_shared<const Known>(Known{key, variantFigures(*key.part, variant)});
-    QMetaObject::invokeMethod(this, [this, known] {
-        m_known.push_back(known);
-        measureMissing();
-        Q_EMIT changed();
+void VariantComparison::measureMissing() {
+    if (m_measuring)
+        return; // it comes back here once that is done
+    const std::optional<Key> key = firstMissing();
+    if (!key)
+        return;
+    m_measuring = true;
+    m_thread.post([this, key = *key] {
+        Variant variant;
+        variant.cast = key.cast;
+        variant.mold = key.mold;
+        const auto known = std::make_shared<const Known>(Known{key, variantFigures(*key.part, variant)});
+        QMetaObject::invokeMethod(this, [this, known] {
+            m_measuring = false;
+            m_known.push_back(known);
+            measureMissing();
+            Q_EMIT changed();
+        });
     });
 }
 

@@ -8,7 +8,6 @@
 #include <QObject>
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +20,6 @@ class VariantComparison : public QObject {
     Q_OBJECT
 public:
     explicit VariantComparison(QObject* parent = nullptr);
-    ~VariantComparison() override;
 
     /// The project is another; what was compared stays so under its name. Where it has become the current
     /// one, the one that was current before is compared with it.
@@ -60,8 +58,8 @@ private:
     [[nodiscard]] Key keyOf(std::size_t number) const;
     void forgetOld();
     void ask();
+    [[nodiscard]] std::optional<Key> firstMissing() const;
     void measureMissing();
-    void work();
 
     Project m_project;
     std::string m_compared; ///< name of the variant; empty for none
@@ -69,8 +67,7 @@ private:
     std::shared_ptr<const AnalysisAnswer> m_answer;
     bool m_wanted = false;
     std::vector<std::shared_ptr<const Known>> m_known;
-    std::mutex m_mutex;
-    std::vector<Key> m_waiting; ///< to be measured, guarded
+    bool m_measuring = false; ///< one of them
     LiveAnalysis m_analysis;
     WorkThread m_thread;
 };

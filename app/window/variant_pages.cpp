@@ -155,8 +155,8 @@ PropertyPage variantPage(const Workbench& bench, const Actions& actions) {
                              "current one, which all other pages show.")};
     PropertySection edits{{},
                           {},
-                          {actions[u"duplicate-variant"_s], actions[u"new-variant"_s],
-                           actions[u"rename-variant"_s], actions[u"remove-guide"_s]},
+                          {actions[u"duplicate-variant"_s], actions[u"new-variant"_s], actions[u"rename"_s],
+                           actions[u"remove-guide"_s]},
                           count == 1};
     if (count == 1) {
         table.buttons.clear();

@@ -43,6 +43,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent), m_placing(new MoldPlaci
     connect(m_placing, &MoldPlacing::changed, this, &Workbench::changed);
     connect(&m_ranks, &LiveRanks::answered, this, &Workbench::takeRanks);
     connect(&m_liveFrames, &LiveFrames::answered, this, &Workbench::takeKept);
+    connect(&m_origins, &LiveOrigins::answered, this, &Workbench::changed);
     connect(&m_document, &Document::historyChanged, this, &Workbench::changed);
     connect(&m_analysis, &LiveAnalysis::answered, this, [this](const auto& answer) {
         m_answer = answer;

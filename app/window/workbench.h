@@ -3,11 +3,11 @@
 
 #include "design/filling.h"
 #include "exchange/mesh_file.h"
-#include "mesh/check.h"
 #include "mold/mold.h"
 #include "panels/message_list.h"
 #include "panels/progress_plots.h"
 #include "scene/lasso.h"
+#include "window/advice.h"
 #include "window/background.h"
 #include "window/display_mode.h"
 #include "window/document.h"
@@ -15,10 +15,13 @@
 #include "window/live_analysis.h"
 #include "window/live_frames.h"
 #include "window/live_maps.h"
+#include "window/live_origins.h"
 #include "window/live_ranks.h"
 #include "window/mesh_figures.h"
+#include "window/opened_mesh.h"
 #include "window/plane_offers.h"
 #include "window/run_control.h"
+#include "window/shown_surface.h"
 #include "window/variant_comparison.h"
 
 #include <QObject>
@@ -35,34 +38,6 @@
 namespace moldwright {
 
 class MoldPlacing;
-
-/// A mesh that was read and found sound, waiting for its unit.
-struct OpenedMesh {
-    QString name;
-    QString file; ///< empty for a sample
-    PreparedMesh prepared;
-};
-
-/// What happened and what to do about it, with the command that does it.
-struct Advice {
-    Standing standing = Standing::Info;
-    QString headline;
-    QString text;
-    QString action; ///< id of the command, or empty
-};
-
-/// A surface as a view shows it. All null while it is not ready to be drawn.
-struct ShownSurface {
-    scene::SharedDrawnMesh drawn;
-    bool coarse = false;                                ///< only the stand-in's analysis is there
-    const DraftAnalysis* analysis = nullptr;            ///< of the surface; of its stand-in when `coarse`
-    const DraftAnalysis* standInAnalysis = nullptr;     ///< of a large surface
-    std::shared_ptr<const scene::SurfacePicker> picker; ///< null while it is not made
-    const Variant* variant = nullptr;                   ///< whose it is; never null
-
-    /// What `analysis` is of.
-    [[nodiscard]] SharedMesh analysed() const { return coarse ? drawn->standIn->mesh : drawn->mesh; }
-};
 
 /// Everything the window works on: the document, what is derived from it, and the jobs that change it. It
 /// knows no widget; windows come and go (with the language) while the workbench stays.
@@ -119,12 +94,16 @@ public:
     [[nodiscard]] const std::optional<ShownFrame>& frame() const { return m_frame; }
     /// The frames kept of the run, or of the last one of this part, from its first to its newest.
     [[nodiscard]] const std::vector<DesignFrame>& keptFrames() const { return m_kept.frames(); }
-    /// The one of them that was gone back to; −1: none, the newest is in view.
-    [[nodiscard]] int keptFrame() const { return m_kept.at(m_backTo); }
+    /// The number of the one of them that is in view; −1 while there are none.
+    [[nodiscard]] int frameInView() const {
+        return goneBack() ? m_kept.at(m_backTo) : static_cast<int>(m_kept.frames().size()) - 1;
+    }
+    /// Whether it was gone back to; else it is the newest.
+    [[nodiscard]] bool goneBack() const { return m_kept.at(m_backTo) >= 0; }
     /// The project as an edit of plane or directions is to find it: at the state in view.
     [[nodiscard]] Project projectInView() const;
     /// Where the document's pins are in the shape in view; empty where that is not known.
-    [[nodiscard]] const std::vector<Pin>& pinsInView() const;
+    [[nodiscard]] std::vector<Pin> pinsInView() const;
     /// Something will be clicked on the shape in view.
     void setPicking(bool picking);
     [[nodiscard]] const std::vector<ProgressPoint>& progress() const { return m_progress; }
@@ -165,6 +144,8 @@ public:
     void openFile(const QString& file);
     void openSample(const QString& file, const QString& name);
     void take(const OpenedMesh& opened, Unit unit, double scale);
+    /// Opens work that was lost, and is in no file.
+    void openLost(const Project& project);
     void closePart();
     /// Saves the project; `thumbnail` is a PNG of the view. `then` is done once it is safe on the disk.
     void save(const QString& file, const QByteArray& thumbnail, const std::function<void()>& then = {});
@@ -220,6 +201,9 @@ public:
     void addPin(const Eigen::Vector3d& place);
     /// A preview is no step yet.
     void movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey, bool preview = false);
+    /// An empty name: it goes by its number.
+    void renamePin(int pin, const QString& name);
+    [[nodiscard]] QString pinName(int pin) const;
     void removePin(int pin);
     void clearPins();
     /// Pins from and to the JSON that the command line takes.
@@ -237,6 +221,8 @@ public:
     void acceptSuggestion(int suggestion);
     /// Takes all in view that are ends of limbs.
     void acceptTips();
+    /// Takes all in view that lie inside the lasso, in one step.
+    void acceptSuggestionsIn(const scene::Lasso& lasso);
 
     // Importance
     /// The regions with one more stroke over `faces` of the part (ascending) are shown, without a step; see
@@ -245,9 +231,12 @@ public:
     /// Doubles the weight of faces in a region (−1: a new one), or halves it (−1: in all). One undo step.
     /// Returns the region.
     int stroke(int region, const std::vector<int>& faces, bool erase);
-    /// The same for the faces seen in a lasso, which are looked for in the background; `then` hears of the
-    /// region.
-    void strokeIn(const scene::Lasso& lasso, int region, bool erase, const std::function<void(int)>& then);
+    /// The same for the faces of a surface seen in a lasso, which are looked for in the background; `then`
+    /// hears of the region.
+    void strokeIn(const scene::Lasso& lasso, const ShownSurface& surface, int region, bool erase,
+                  const std::function<void(int)>& then);
+    /// Where the faces of casts and frames were on the part.
+    [[nodiscard]] LiveOrigins& origins() const { return m_origins; }
     void renameRegion(int region, const QString& name);
     void weighRegion(int region, double weight, bool preview);
     void limitRegion(int region, double keepWithin, bool preview);
@@ -316,6 +305,7 @@ private:
     };
 
     [[nodiscard]] const BuiltMold& built() const;
+    void forgetOldPart();
     void show(const Project& project, const QString& file);
     void readProject(const QString& file);
     void readFile(const QString& file, const QString& name, bool sample);
@@ -335,7 +325,12 @@ private:
     void tellOfStop(const DesignResult& result);
     void pullFrames();
     [[nodiscard]] int undercutOf(const UndercutChoice& choice) const;
-    void setPins(std::vector<Pin> pins, const QString& words, const QString& mergeKey = {});
+    template <class Read, class With>
+    void importGuides(const QString& file, const QString& reading, Read read, With with, const QString& edit,
+                      const QString& done);
+    void exportGuides(const QString& file, const std::string& text, const QString& done);
+    void setPins(std::vector<NamedPin> pins, const QString& words, const QString& mergeKey = {});
+    bool acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words);
     [[nodiscard]] Project painted(int region, const std::vector<int>& faces, bool erase) const;
     [[nodiscard]] QString newRegionName() const;
     void editRegion(int region, const QString& words, const QString& mergeKey, bool preview,
@@ -371,6 +366,7 @@ private:
     std::map<std::pair<ViewContent, DisplayMode>, std::shared_ptr<const FaceMap>> m_maps;
     std::map<std::pair<ViewContent, DisplayMode>, MapRequest> m_asked; ///< for each map the last request
     mutable KnownFigures m_figures;
+    mutable LiveOrigins m_origins;
     std::shared_ptr<FrameStream> m_stream;
     std::shared_ptr<RunControl> m_control;
     QTimer m_frameTimer;

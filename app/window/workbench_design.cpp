@@ -115,6 +115,7 @@ void Workbench::startRun(const std::shared_ptr<const Points>& start) {
         request.keepUnfinished = true;
         request.finishNow = [control] { return control->takeFinish(); };
         request.newest = [control] { return control->takeNewest(); };
+        request.bendMeanwhile = [control] { return !control->resting(); };
         const Result<DesignResult> result = design(request, task, [&](const DesignFrame& frame) {
             stream->put(frame);
             control->waitWhileResting(task);

@@ -76,13 +76,17 @@ void Workbench::readProject(const QString& file) {
         });
 }
 
-void Workbench::show(const Project& project, const QString& file) {
+void Workbench::forgetOldPart() {
     m_offered.clear();
     m_offeredPart.reset();
     m_suggestedPart.reset();
     m_progress.clear();
     m_molds.clear();
     m_variants.compareWith({});
+}
+
+void Workbench::show(const Project& project, const QString& file) {
+    forgetOldPart();
     m_document.open(project, file);
     Q_EMIT partOpened();
 }
@@ -144,6 +148,12 @@ void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
                             .arg(size.x(), 0, 'f', 1)
                             .arg(size.y(), 0, 'f', 1)
                             .arg(size.z(), 0, 'f', 1));
+}
+
+void Workbench::openLost(const Project& project) {
+    forgetOldPart();
+    m_document.openUnsaved(project);
+    Q_EMIT partOpened();
 }
 
 void Workbench::closePart() {

@@ -2,12 +2,8 @@
 // Importance: what is painted, and how it came through.
 #include "window/workbench.h"
 
-#include "exchange/mesh_file.h"
 #include "mesh/measures.h"
 #include "project/edits.h"
-#include "project/guide_files.h"
-
-#include <QDir>
 
 #include <algorithm>
 #include <cmath>
@@ -83,11 +79,15 @@ int Workbench::stroke(int region, const std::vector<int>& faces, bool erase) {
     return region < 0 && !erase ? static_cast<int>(after.importance.size()) - 1 : region;
 }
 
-void Workbench::strokeIn(const scene::Lasso& lasso, int region, bool erase,
+void Workbench::strokeIn(const scene::Lasso& lasso, const ShownSurface& surface, int region, bool erase,
                          const std::function<void(int)>& then) {
     const SharedMesh part = project().part;
+    const SharedMesh seen = surface.drawn->mesh;
+    const auto before = surface.before;
     m_background.start(tr("Looking which faces are seen"), [=, this](const Task& task) -> Background::Finish {
-        const std::vector<int> faces = scene::facesIn(lasso, part, task);
+        std::vector<int> faces = scene::facesIn(lasso, seen, task);
+        if (seen != part && !task.stopped())
+            faces = FaceOrigins(part, seen, before).onPart(faces);
         return [=, this] {
             if (faces.empty() || project().part != part)
                 say(Standing::Info, tr("No face's middle is seen inside the lasso."));
@@ -132,30 +132,6 @@ void Workbench::removeRegion(int region) {
 
 void Workbench::clearImportance() {
     m_document.edit(tr("Remove all regions"), withImportance(m_document.committed(), {}));
-}
-
-void Workbench::importWeights(const QString& file) {
-    const Project from = m_document.committed();
-    m_background.start(tr("Reading regions"), [=, this](const Task&) -> Background::Finish {
-        const Result<std::vector<ImportantRegion>> read = readWeights(file.toStdString(), *from.part);
-        return [=, this] {
-            if (!read) {
-                complain(read.error(), tr("Reading regions"));
-                return;
-            }
-            m_document.edit(tr("Regions from a file"), withImportance(m_document.committed(), *read));
-            say(Standing::Done,
-                tr("%1 regions read from %2.").arg(read->size()).arg(QDir::toNativeSeparators(file)));
-        };
-    });
-}
-
-void Workbench::exportWeights(const QString& file) {
-    const Result<void> written = writeFileAtomically(file.toStdString(), weightsText(project().importance));
-    if (!written)
-        complain(written.error(), tr("Export"));
-    else
-        say(Standing::Done, tr("Regions written to %1.").arg(QDir::toNativeSeparators(file)));
 }
 
 const RegionMeasure* Workbench::measureOf(int region) const {

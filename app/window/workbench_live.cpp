@@ -48,11 +48,11 @@ void Workbench::placePins() {
         return;
     const Project& now = m_document.committed();
     const auto bent = partIn(m_frame->frame, now.part);
-    m_frame->pins = bent ? carriedPins(now.pins, *now.part, *bent) : std::vector<Pin>();
+    m_frame->pins = bent ? carriedPins(liveSettings(now).pins, *now.part, *bent) : std::vector<Pin>();
 }
 
-const std::vector<Pin>& Workbench::pinsInView() const {
-    return m_frame ? m_frame->pins : project().pins;
+std::vector<Pin> Workbench::pinsInView() const {
+    return m_frame ? m_frame->pins : std::vector<Pin>(project().pins.begin(), project().pins.end());
 }
 
 void Workbench::setPicking(bool picking) {

@@ -2,11 +2,7 @@
 // Pins: those set, and those suggested.
 #include "window/workbench.h"
 
-#include "exchange/mesh_file.h"
 #include "project/edits.h"
-#include "project/guide_files.h"
-
-#include <QDir>
 
 #include <algorithm>
 #include <functional>
@@ -14,57 +10,46 @@
 namespace moldwright {
 
 void Workbench::addPin(const Eigen::Vector3d& place) {
-    std::vector<Pin> pins = m_document.committed().pins;
-    pins.push_back({inPart(place)});
+    std::vector<NamedPin> pins = m_document.committed().pins;
+    pins.push_back({{inPart(place)}, {}});
     setPins(std::move(pins), tr("Pin a point"));
 }
 
 void Workbench::movePin(int pin, const Eigen::Vector3d& place, const QString& mergeKey, bool preview) {
-    std::vector<Pin> pins = m_document.committed().pins;
+    std::vector<NamedPin> pins = m_document.committed().pins;
     pins.at(static_cast<std::size_t>(pin)).point = place;
     if (preview) {
         m_document.preview(withPins(m_document.committed(), std::move(pins)));
         return;
     }
-    setPins(std::move(pins), tr("Move pin %1").arg(pin + 1), mergeKey);
+    setPins(std::move(pins), tr("Move %1").arg(pinName(pin)), mergeKey);
+}
+
+QString Workbench::pinName(int pin) const {
+    const std::string& name = project().pins.at(static_cast<std::size_t>(pin)).name;
+    return name.empty() ? tr("Pin %1").arg(pin + 1) : QString::fromStdString(name);
+}
+
+void Workbench::renamePin(int pin, const QString& name) {
+    std::vector<NamedPin> pins = m_document.committed().pins;
+    const bool plain = name.trimmed() == tr("Pin %1").arg(pin + 1); // its number stays right, whatever goes
+    pins.at(static_cast<std::size_t>(pin)).name = plain ? std::string() : name.trimmed().toStdString();
+    setPins(std::move(pins), tr("Rename"));
 }
 
 void Workbench::removePin(int pin) {
-    std::vector<Pin> pins = m_document.committed().pins;
+    std::vector<NamedPin> pins = m_document.committed().pins;
+    const QString name = pinName(pin);
     pins.erase(pins.begin() + pin);
-    setPins(std::move(pins), tr("Remove pin %1").arg(pin + 1));
+    setPins(std::move(pins), tr("Remove %1").arg(name));
 }
 
 void Workbench::clearPins() {
     setPins({}, tr("Remove all pins"));
 }
 
-void Workbench::setPins(std::vector<Pin> pins, const QString& words, const QString& mergeKey) {
+void Workbench::setPins(std::vector<NamedPin> pins, const QString& words, const QString& mergeKey) {
     m_document.edit(words, withPins(m_document.committed(), std::move(pins)), mergeKey);
-}
-
-void Workbench::importPins(const QString& file) {
-    const Project from = m_document.committed();
-    m_background.start(tr("Reading pins"), [=, this](const Task&) -> Background::Finish {
-        const Result<std::vector<Pin>> read = readPins(file.toStdString(), *from.part);
-        return [=, this] {
-            if (!read) {
-                complain(read.error(), tr("Reading pins"));
-                return;
-            }
-            setPins(*read, tr("Pins from a file"));
-            say(Standing::Done,
-                tr("%1 pins read from %2.").arg(read->size()).arg(QDir::toNativeSeparators(file)));
-        };
-    });
-}
-
-void Workbench::exportPins(const QString& file) {
-    const Result<void> written = writeFileAtomically(file.toStdString(), pinsText(project().pins));
-    if (!written)
-        complain(written.error(), tr("Export"));
-    else
-        say(Standing::Done, tr("Pins written to %1.").arg(QDir::toNativeSeparators(file)));
 }
 
 void Workbench::suggestPins() {
@@ -107,23 +92,40 @@ std::vector<SuggestedPin> Workbench::suggestionsInView() const {
     std::ranges::stable_sort(best, std::greater(), &SuggestedPin::rank);
     best.resize(std::min<std::size_t>(best.size(), static_cast<std::size_t>(m_suggestionCount)));
     std::erase_if(best, [&](const SuggestedPin& pin) {
-        return std::ranges::count(project().pins, Pin{pin.point}) > 0;
+        return std::ranges::count(project().pins, pin.point, &NamedPin::point) > 0;
     });
     return best;
 }
 
 void Workbench::acceptSuggestion(int suggestion) {
-    std::vector<Pin> pins = m_document.committed().pins;
-    pins.push_back({suggestionsInView().at(static_cast<std::size_t>(suggestion)).point});
+    std::vector<NamedPin> pins = m_document.committed().pins;
+    pins.push_back({{suggestionsInView().at(static_cast<std::size_t>(suggestion)).point}, {}});
     setPins(std::move(pins), tr("Take a suggested pin"));
 }
 
 void Workbench::acceptTips() {
-    std::vector<Pin> pins = m_document.committed().pins;
+    acceptWhere([](const SuggestedPin& suggested) { return suggested.kind == PinKind::Tip; },
+                tr("Pin the ends of limbs"));
+}
+
+void Workbench::acceptSuggestionsIn(const scene::Lasso& lasso) {
+    const auto isInLasso = [&](const SuggestedPin& suggested) {
+        return scene::isInside(lasso.line, lasso.camera.project(suggested.point, lasso.view).head<2>());
+    };
+    if (!acceptWhere(isInLasso, tr("Take suggested pins")))
+        say(Standing::Info, tr("No suggested point is seen inside the lasso."));
+}
+
+bool Workbench::acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words) {
+    std::vector<NamedPin> pins = m_document.committed().pins;
+    const std::size_t before = pins.size();
     for (const SuggestedPin& suggested : suggestionsInView())
-        if (suggested.kind == PinKind::Tip)
-            pins.push_back({suggested.point});
-    setPins(std::move(pins), tr("Pin the ends of limbs"));
+        if (wanted(suggested))
+            pins.push_back({{suggested.point}, {}});
+    if (pins.size() == before)
+        return false;
+    setPins(std::move(pins), words);
+    return true;
 }
 
 void Workbench::askRanks() {

@@ -51,6 +51,11 @@ ShownSurface Workbench::surface(ViewContent content) const {
             surface.picker = m_frame->picker;
         else if (m_answer)
             surface.picker = m_answer->picker;
+        const auto& cast = project().cast;
+        if (m_frame)
+            surface.before = m_frame->frame.before;
+        else if (cast && surface.drawn->mesh == cast->mesh && cast->before.rows() > 0)
+            surface.before = {cast, &cast->before};
         return surface;
     }
     const AnalysisAnswer* answer = compared ? m_variants.answer() : partAnswer();

@@ -2,6 +2,7 @@
 #include "base/task.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace moldwright {
 
@@ -27,10 +28,8 @@ Task Task::part(double from, double to) const {
     return narrowed;
 }
 
-Task Task::leg() const {
-    Task own = *this;
-    own.m_state = std::make_shared<State>();
-    own.m_state->report = m_state->report;
+Task Task::leg(Report report) const {
+    Task own(std::move(report));
     own.m_state->whole = m_state;
     return own;
 }

@@ -34,8 +34,9 @@ public:
     /// The sub-range [from, to] of this task's range, as a task of its own.
     [[nodiscard]] Task part(double from, double to) const;
 
-    /// A task over the same range that can be cancelled without this one; it is stopped when this one is.
-    [[nodiscard]] Task leg() const;
+    /// A task that can be cancelled without this one and is stopped when this one is; it reports over the
+    /// range [0, 1] to `report`.
+    [[nodiscard]] Task leg(Report report) const;
 
 private:
     struct State {

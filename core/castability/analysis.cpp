@@ -117,21 +117,16 @@ void measureDepths(const IndexedMesh& mesh, const MoldState& state, std::vector<
             undercut.depth = std::max(undercut.depth, depths[static_cast<std::size_t>(f)]);
 }
 
-} // namespace
+/// What is summed up face after face.
+struct DraftSums {
+    DraftSums(std::size_t faces, double requiredSine)
+        : tau(requiredSine), sideOf(faces, 0), violatingArea(faces, 0) {
+        result.faceDraft.resize(faces);
+        result.violating.assign(faces, 0);
+    }
 
-DraftAnalysis analyzeDraft(const IndexedMesh& mesh, const MoldState& state, double requiredDraft,
-                           bool withDepths) {
-    DraftAnalysis result;
-    const double tau = std::sin(radians(requiredDraft));
-    const auto faces = static_cast<std::size_t>(mesh.faceCount());
-    result.faceDraft.resize(faces);
-    result.violating.assign(faces, 0);
-    std::vector<int> sideOf(faces, 0);
-    std::vector<double> violatingArea(faces, 0);
-    double area = 0;
-    double energy = 0;
-    for (std::size_t f = 0; f < faces; ++f) {
-        const FacePieces pieces = piecesOf(mesh, static_cast<int>(f), state);
+    void add(int face, const FacePieces& pieces) {
+        const auto f = static_cast<std::size_t>(face);
         double worst = 1;
         for (const int side : {1, 2}) {
             const double a = side == 1 ? pieces.area1 : pieces.area2;
@@ -155,14 +150,35 @@ DraftAnalysis analyzeDraft(const IndexedMesh& mesh, const MoldState& state, doub
         if (pieces.area1 + pieces.area2 > 0)
             result.worstDraftDegrees = std::min(result.worstDraftDegrees, result.faceDraft[f]);
     }
-    const double size = diagonal(mesh);
-    if (area > 0) {
-        result.energy = energy / (size * size);
-        result.violatingAreaFraction = result.violatingArea / area;
-        for (double& share : result.histogram.areaFraction)
-            share /= area;
+
+    /// Hands over all but the undercuts, of a mesh of this size.
+    [[nodiscard]] DraftAnalysis take(double size) {
+        if (area > 0) {
+            result.energy = energy / (size * size);
+            result.violatingAreaFraction = result.violatingArea / area;
+            for (double& share : result.histogram.areaFraction)
+                share /= area;
+        }
+        return std::move(result);
     }
-    result.undercuts = gatherUndercuts(mesh, result, sideOf, violatingArea);
+
+    double tau;
+    std::vector<int> sideOf;           ///< the side that a face has its worst draft on; 0: neither
+    std::vector<double> violatingArea; ///< of each face
+    DraftAnalysis result;
+    double area = 0;
+    double energy = 0;
+};
+
+} // namespace
+
+DraftAnalysis analyzeDraft(const IndexedMesh& mesh, const MoldState& state, double requiredDraft,
+                           bool withDepths) {
+    DraftSums sums(static_cast<std::size_t>(mesh.faceCount()), std::sin(radians(requiredDraft)));
+    for (int f = 0; f < mesh.faceCount(); ++f)
+        sums.add(f, piecesOf(mesh, f, state));
+    DraftAnalysis result = sums.take(diagonal(mesh));
+    result.undercuts = gatherUndercuts(mesh, result, sums.sideOf, sums.violatingArea);
     if (withDepths)
         measureDepths(mesh, state, result.undercuts);
     return result;

@@ -14,6 +14,7 @@ namespace {
 constexpr int kSteps = 24;
 constexpr int kIterations = 20;     ///< a step
 constexpr int kLastIterations = 60; ///< with all points in the plane
+constexpr int kSeenEvery = 4;       ///< iterations
 constexpr double kGap = 1.5;        ///< mean edges that are kept between surfaces which come to meet
 constexpr double kContact = 1;      ///< of the mean stiffness of a point, that a contact has
 constexpr double kAnchor = 0.1; ///< per volume: limbs bend rather than the whole body turning about its pins
@@ -35,9 +36,11 @@ Eigen::VectorXd volumesAt(const BodyShape& body) {
 
 class Drawing {
 public:
-    Drawing(const BodyShape& body, const std::vector<int>& points)
-        : m_body(body), m_points(points), m_elastic(body), m_held(static_cast<std::size_t>(body.V.rows()), 0),
-          m_gap(kGap * meanEdge(body)), m_X(body.V) {
+    using Seen = std::function<void(const Positions&)>;
+
+    Drawing(const BodyShape& body, const std::vector<int>& points, const Seen& seen)
+        : m_body(body), m_points(points), m_seen(seen), m_elastic(body),
+          m_held(static_cast<std::size_t>(body.V.rows()), 0), m_gap(kGap * meanEdge(body)), m_X(body.V) {
         for (const int v : points)
             m_held[static_cast<std::size_t>(v)] = 1;
         m_anchors = kAnchor * volumesAt(body);
@@ -62,6 +65,8 @@ public:
             m_X = next;
             if (motion < kSettled)
                 break;
+            if (m_seen && i % kSeenEvery == kSeenEvery - 1)
+                m_seen(m_X);
         }
         meet();
     }
@@ -112,6 +117,7 @@ private:
 
     const BodyShape& m_body;
     const std::vector<int>& m_points;
+    const Seen& m_seen;
     ElasticBody m_elastic;
     std::vector<char> m_held;
     double m_gap;
@@ -128,12 +134,9 @@ private:
 
 Positions drawnIntoPlane(const BodyShape& body, const std::vector<int>& points, const Task& task,
                          const std::function<void(const Positions&)>& seen) {
-    Drawing drawing(body, points);
-    for (int step = 1; step <= kSteps && !task.stopped(); ++step) {
+    Drawing drawing(body, points, seen);
+    for (int step = 1; step <= kSteps && !task.stopped(); ++step)
         drawing.step(1 - static_cast<double>(step) / kSteps, kIterations, task);
-        if (seen)
-            seen(drawing.positions());
-    }
     drawing.step(0, kLastIterations, task);
     return drawing.positions();
 }

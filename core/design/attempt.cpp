@@ -60,7 +60,7 @@ void takeCast(DesignResult& result, const PartedPart& part, const BentShape& ben
 
 ShapeGoal goalOf(const Attempt& attempt, const DesignRun& run) {
     return {run.request().draftDegrees, attempt.state.directions, run.request().faceWeights,
-            run.request().finishNow, attempt.means != Means::QuickProxy};
+            [&run] { return run.finishAsked(); }, attempt.means != Means::QuickProxy};
 }
 
 /// Whether the points of the part lead, in their order, those of the parted part.
@@ -88,7 +88,7 @@ ShapeWatch hearingWatch(const PartedPart& part, DesignRun& run) {
     return [&run, show = frameWatch(part, run)](const char* stage, const LabelledSurface& surface) {
         if (show)
             show(stage, surface);
-        (void)run.hear(false);
+        run.hear(false);
     };
 }
 
@@ -109,7 +109,7 @@ BentShape bendHearing(PartedPart& part, Attempt& attempt, DesignRun& run, const 
         ShapeGoal goal = goalOf(attempt, run);
         goal.enough = [&] {
             again = run.hear(true);
-            return again || run.stopped() || (run.request().finishNow && run.request().finishNow());
+            return again || run.stopped() || run.finishAsked();
         };
         if (old.followDirections && old.directionsChoice == DirectionsChoice::Automatic)
             goal.follow = directionsOf;
@@ -126,6 +126,8 @@ BentShape bendHearing(PartedPart& part, Attempt& attempt, DesignRun& run, const 
 Result<DesignResult> finishAndProve(const PartedPart& part, const BentShape& bent, const ShapeGoal& goal,
                                     const Task& task, DesignRun& run) {
     const DesignRequest& request = run.request();
+    if (run.next())
+        return DesignRun::cancelled();
     DesignResult result;
     result.state = part.state;
     result.localGlobalIterations = bent.iterations;

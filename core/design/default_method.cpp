@@ -258,7 +258,7 @@ Result<PinnedShape> pinned(const MoldState& state, DesignRun& run) {
         const IndexedMesh shape = body->surfaceAt(X);
         run.setReached(shape, state);
         run.show({"pins", shape, {}, state, before});
-        (void)run.hear(false);
+        run.hear(false);
     };
     const Positions drawn = drawnIntoPlane(body->shape, body->pinned, run.task(), seen);
     if (run.stopped())

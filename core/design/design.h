@@ -76,13 +76,16 @@ struct DesignRequest : LiveSettings {
         false; ///< a stopped run returns what it reached, marked cutShort, if it got that far
     unsigned seed = 1;
     /// Asked after every step: true ends the bending there and goes on to the finish; may be empty. Called
-    /// from the thread of design().
+    /// from one thread at a time, as are the next two and the sink of frames.
     std::function<bool()> finishNow;
     /// Asked after every step: what is to hold from now on; none when nothing was changed. The run goes on
     /// from its present shape: at once where draft, directions or weights were changed while the part is
     /// bent; parted anew where it was the plane, the pins, or anything while the bent part is finished or
-    /// filled. May be empty. Called from the thread of design().
+    /// filled. May be empty.
     std::function<std::optional<LiveSettings>()> newest;
+    /// Asked when something was changed that needs time to be made ready: true: until then the shape goes on
+    /// being bent as before, and seen; false or empty: it stands still.
+    std::function<bool()> bendMeanwhile;
 };
 
 /// One picture of a running deformation: enough to draw it.
@@ -99,7 +102,7 @@ struct DesignFrame {
     double energy = 0; ///< castability energy, scale-free (diagonal 1)
     double worstDraftDegrees = 0;
     double violatingAreaFraction = 0;
-    LiveSettings settings; ///< what the run has heard of last
+    LiveSettings settings; ///< what it was made with
 };
 using FrameSink = std::function<void(const DesignFrame&)>;
 

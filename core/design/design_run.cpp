@@ -8,10 +8,10 @@
 
 namespace moldwright {
 
-DesignRun::DesignRun(const DesignRequest& request, const Task& task, const FrameSink& frames,
-                     SharedMesh start, int steps)
-    : m_request(request), m_start(start ? std::move(start) : request.part), m_frames(frames),
-      m_leg(std::make_shared<Leg>(Leg{task.leg(), request, {}, {}, {}, steps})) {}
+DesignRun::DesignRun(const DesignRequest& request, const Task& task, FrameSink frames, SharedMesh start,
+                     WhenReplaced whenReplaced)
+    : m_request(request), m_start(start ? std::move(start) : request.part), m_frames(std::move(frames)),
+      m_leg(std::make_shared<Leg>(Leg{task, request, {}, {}, {}, std::move(whenReplaced)})) {}
 
 DesignRun DesignRun::at(const PartingPlane& plane) const {
     DesignRun there = *this;
@@ -32,17 +32,24 @@ bool DesignRun::hear(bool inPlace) {
     const std::optional<LiveSettings> newest = m_request.newest();
     if (!newest || *newest == m_leg->heard)
         return false;
-    m_leg->heard = *newest;
     const bool samePlane = !newest->plane || newest->plane == m_request.plane;
     if (inPlace && samePlane && newest->pins == m_request.pins) {
         const std::optional<PartingPlane> plane = m_request.plane;
         static_cast<LiveSettings&>(m_request) = *newest;
         m_request.plane = plane;
+        m_leg->heard = *newest;
         return true;
     }
     m_leg->next = newest;
-    m_leg->task.cancel();
+    if (!m_request.bendMeanwhile || !m_request.bendMeanwhile())
+        end();
+    if (m_leg->whenReplaced)
+        m_leg->whenReplaced(*this);
     return false;
+}
+
+bool DesignRun::finishAsked() const {
+    return !m_leg->next && m_request.finishNow && m_request.finishNow();
 }
 
 void DesignRun::setReached(const IndexedMesh& shape, const MoldState& state) {
@@ -79,8 +86,8 @@ void DesignRun::show(SeenStep step) {
     const DraftAnalysis analysis = labels.empty() ? analyzeDraft(shape, state, m_request.draftDegrees, false)
                                                   : analyzeCast(shape, labels, state, m_request.draftDegrees);
     m_frames({stage, std::make_shared<const IndexedMesh>(std::move(step.shape)), labels, state, before,
-              m_leg->reached, ++m_leg->steps, analysis.energy, analysis.worstDraftDegrees,
-              analysis.violatingAreaFraction, m_leg->heard});
+              m_leg->reached, 0, analysis.energy, analysis.worstDraftDegrees, analysis.violatingAreaFraction,
+              m_leg->heard});
 }
 
 std::unexpected<Error> DesignRun::cancelled() {

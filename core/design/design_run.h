@@ -6,6 +6,7 @@
 #include "design/design.h"
 
 #include <expected>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -25,12 +26,14 @@ struct SeenStep {
 /// next begins from the shape that was reached.
 class DesignRun {
 public:
-    /// `start`: the part with its points where bending begins; null: the part as it is. `steps` were seen
-    /// before.
-    DesignRun(const DesignRequest& request, const Task& task, const FrameSink& frames, SharedMesh start = {},
-              int steps = 0);
+    using WhenReplaced = std::function<void(const DesignRun&)>;
 
-    /// The request; its live settings as they were heard last.
+    /// `task` is the leg's own. `start`: the part with its points where bending begins; null: the part as it
+    /// is. `whenReplaced` is told once, when next() has become known.
+    DesignRun(const DesignRequest& request, const Task& task, FrameSink frames, SharedMesh start = {},
+              WhenReplaced whenReplaced = {});
+
+    /// The request; its live settings are those that this leg heeds.
     [[nodiscard]] const DesignRequest& request() const { return m_request; }
     /// Stopped too when the leg is over.
     [[nodiscard]] const Task& task() const { return m_leg->task; }
@@ -44,13 +47,19 @@ public:
     void takeSettings(const DesignRun& other);
 
     /// Asks what the designer has changed; to be called after every step. True: request() holds something new
-    /// that bending can take as it goes. Any other change, and every one unless `inPlace`, ends the leg.
-    [[nodiscard]] bool hear(bool inPlace);
+    /// that bending can take as it goes. Any other change, and every one unless `inPlace`, asks for another
+    /// leg: this one ends, at once unless the request lets it bend meanwhile.
+    bool hear(bool inPlace);
+    /// Whether the designer wants the bending to end here and be finished; true once. Another leg is to hear
+    /// it when there will be one.
+    [[nodiscard]] bool finishAsked() const;
+    /// Ends the leg.
+    void end() const { m_leg->task.cancel(); }
     /// Whether anybody may change anything.
     [[nodiscard]] bool live() const { return static_cast<bool>(m_request.newest); }
-    /// What the next leg is to hold; none while this one is not over.
+    /// What the next leg is to hold; none while none was asked for.
     [[nodiscard]] const std::optional<LiveSettings>& next() const { return m_leg->next; }
-    /// What was heard last.
+    /// What this leg heeds.
     [[nodiscard]] const LiveSettings& heard() const { return m_leg->heard; }
     /// The part's own points as bent last, and at which state; null and none before the first bending.
     [[nodiscard]] const std::shared_ptr<const Points>& reached() const { return m_leg->reached; }
@@ -69,7 +78,6 @@ public:
     [[nodiscard]] bool watched() const { return static_cast<bool>(m_frames); }
     /// Shows a step to whoever watches.
     void show(SeenStep step);
-    [[nodiscard]] int steps() const { return m_leg->steps; }
 
     [[nodiscard]] static std::unexpected<Error> cancelled();
 
@@ -81,12 +89,12 @@ private:
         std::optional<LiveSettings> next;
         std::shared_ptr<const Points> reached;
         std::optional<MoldState> reachedState;
-        int steps = 0;
+        WhenReplaced whenReplaced;
     };
 
     DesignRequest m_request;
     SharedMesh m_start;
-    const FrameSink& m_frames;
+    FrameSink m_frames;
     std::shared_ptr<Leg> m_leg;
     std::map<std::string, double> m_seconds;
 };

@@ -88,7 +88,7 @@ void plasticSteps(Elastoplastic& solver, DesignRun& run) {
             continue;
         }
         history.push_back(analysis.energy);
-        const bool enough = request.finishNow && request.finishNow();
+        const bool enough = run.finishAsked();
         if (enough || analysis.castable() ||
             (history.size() > 5 && history.back() > 0.999 * history[history.size() - 6]))
             break;

@@ -36,6 +36,8 @@ IndexedMesh crossWhereFree(const IndexedMesh& work, double reach) {
         const auto pairs = selfIntersections(crossed);
         if (pairs.empty())
             return crossed;
+        if (crossed.V == work.V)
+            break;
         std::vector<char> back(static_cast<std::size_t>(work.vertexCount()), 0);
         for (const auto& [f, g] : pairs)
             for (int k = 0; k < 3; ++k)
@@ -52,10 +54,9 @@ IndexedMesh crossWhereFree(const IndexedMesh& work, double reach) {
     return work;
 }
 
-/// The part in the working frame with its parting line inserted, through its pins too.
-PartedMesh parted(const IndexedMesh& work, double reach, double snap,
-                  const std::vector<PlacedPin>& pins = {}) {
-    return insertPartingLine(withPinsInPlane(reach > 0 ? crossWhereFree(work, reach) : work, pins), snap);
+/// The part in the working frame, ready for its parting line: points near the plane across it, pins in it.
+IndexedMesh readyToPart(const IndexedMesh& work, double reach, const std::vector<PlacedPin>& pins = {}) {
+    return withPinsInPlane(reach > 0 ? crossWhereFree(work, reach) : work, pins);
 }
 
 Result<PartedPart> partUntil(const Taking& take, const IndexedMesh& part, const MoldState& state,
@@ -64,11 +65,15 @@ Result<PartedPart> partUntil(const Taking& take, const IndexedMesh& part, const 
     const IndexedMesh work = frame.toWork(part);
     const std::vector<PlacedPin> pins = pinsToWork(partPins, frame);
     std::optional<Error> refusal;
-    for (const double reach : kReaches)
+    for (const double reach : kReaches) {
+        // What crosses itself as it is, as a shape amid its bending may, does so however it is parted.
+        if (refusal && refusal->code == ErrorCode::Internal && !selfIntersections(work).empty())
+            break;
+        const IndexedMesh ready = readyToPart(work, reach, pins);
         for (const double snap : kSnaps) {
             if (task.stopped())
                 return DesignRun::cancelled();
-            PartedMesh surface = parted(work, reach, snap, pins);
+            PartedMesh surface = insertPartingLine(ready, snap);
             if (const auto obstructions = findObstructions(surface.mesh, surface.labels, frame);
                 !obstructions.empty()) {
                 refusal = Error{
@@ -82,6 +87,7 @@ Result<PartedPart> partUntil(const Taking& take, const IndexedMesh& part, const 
             if (!refusal)
                 return PartedPart{state, frame, std::move(surface), 0, false, pins};
         }
+    }
     return std::unexpected(*refusal);
 }
 
@@ -134,7 +140,7 @@ bool planePasses(const IndexedMesh& part, const MoldState& state) {
         if (parting.reach > 0 &&
             !passes(insertPartingLine(crossNearPoints(work, parting.reach), parting.snap)))
             return false;
-        return passes(parted(work, parting.reach, parting.snap));
+        return passes(insertPartingLine(readyToPart(work, parting.reach), parting.snap));
     });
 }
 
@@ -143,7 +149,7 @@ ObstructedPart obstructionsAt(const IndexedMesh& part, const MoldState& state) {
     const IndexedMesh work = frame.toWork(part);
     ObstructedPart found;
     for (const auto& [reach, snap] : kPartings) {
-        PartedMesh surface = parted(work, reach, snap);
+        PartedMesh surface = insertPartingLine(readyToPart(work, reach), snap);
         found = {findObstructions(surface.mesh, surface.labels, frame), std::move(surface)};
         if (found.obstructions.empty())
             break;

@@ -39,7 +39,9 @@ const DraftedPrism::Opening* openingAt(const std::vector<DraftedPrism::Opening>&
 }
 
 Result<std::vector<double>> slopesOf(const PrismRequest& request, std::size_t side) {
-    std::vector<double> slopes;
+    std::vector<double> slopes = request.slopes[side];
+    if (!slopes.empty())
+        return slopes;
     for (std::size_t edge = 0; edge < request.base.size(); ++edge) {
         if (const auto* opening = openingAt(request.openings, edge)) {
             slopes.push_back(-opening->slope[side]);

@@ -44,6 +44,9 @@ struct PrismRequest {
     /// Per side: the directions that its walls must leave along.
     std::array<std::vector<Eigen::Vector3d>, 2> directions;
     double draftDegrees = 5;
+    /// Per side, where they are known: how far each wall leans, inset over height; the directions are not
+    /// asked.
+    std::array<std::vector<double>, 2> slopes;
     double leastSlope = -1e3; ///< walls lean at least this much, even where a tilted direction asks for less
     double grid = 0;          ///< mm, a power of two; all points are rounded to multiples of it
 };

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
 #include <vector>
 
 namespace moldwright {
@@ -19,7 +18,12 @@ struct HalfBore {
         double height = 0; ///< mm from the parting plane, ascending; the first lies inside the cast
         double radius = 0; ///< mm
     };
-    std::string name; ///< "Ejector hole" or "Spout"
+    /// What stands in it while the mold is closed.
+    enum class Use {
+        Pin,  ///< an ejector pin: nothing fills the hole
+        Spout ///< what is poured: it solidifies, breaks off and is pushed out outwards
+    };
+    Use use = Use::Pin;
     int side = 1;
     Eigen::Vector2d axis = Eigen::Vector2d::Zero(); ///< where its axis meets the parting plane, mm
     std::vector<Station> stations;

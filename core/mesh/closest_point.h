@@ -21,6 +21,13 @@ public:
     /// Distance from p to the nearest point of the surface, in the mesh's units.
     [[nodiscard]] double distance(const Eigen::Vector3d& p) const;
 
+    /// That point and the face it lies on.
+    struct Nearest {
+        int face;
+        Eigen::Vector3d point;
+    };
+    [[nodiscard]] Nearest nearest(const Eigen::Vector3d& p) const;
+
     /// Whether `other`, moved by `shift`, crosses or touches the surface, but for rounding.
     [[nodiscard]] bool meets(const IndexedMesh& other, const Eigen::Vector3d& shift) const;
 

@@ -29,9 +29,8 @@ std::vector<MoldBuilder::OutwardHole> MoldBuilder::outwardHoles(const CavityCopy
     return holes;
 }
 
-Vector3d MoldBuilder::mouthOf(const OutwardHole& hole, const Eigen::AlignedBox3d& block) const {
+Vector3d MoldBuilder::mouthOf(const OutwardHole& hole, double end) const {
     const Vector3d& d = m_mold.directions.of(hole.side);
-    const double end = hole.side == 1 ? block.max().z() : block.min().z();
     return hole.foot + d * ((end - hole.foot.z()) / d.z());
 }
 
@@ -43,14 +42,14 @@ Obstacles MoldBuilder::planObstacles(const Block& block) const {
             // Oblique ones pass over the plane beside the cavity.
             Points ends(2 * circleCorners, 3);
             int row = 0;
-            for (const Vector3d& end : {hole.foot, mouthOf(hole, block)})
+            for (const Vector3d& end : {hole.foot, mouthOf(hole, block.end(hole.side))})
                 for (const Vector2d& p : planCircle(end.head<2>(), hole.radius, circleCorners))
                     ends.row(row++) << p.x(), p.y(), 0;
             obstacles.push_back(planHull(ends));
         }
     }
     if (inPlane())
-        addChannelObstacles(obstacles, block.max().y());
+        addChannelObstacles(obstacles, block.plan().max().y());
     return obstacles;
 }
 
@@ -82,7 +81,7 @@ void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const 
         {m_layout.mainAxis + half, faceY}));
 }
 
-std::optional<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
+Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     BlockContent content;
     content.wallX = wallX;
     content.wallY = wallY;
@@ -92,12 +91,11 @@ std::optional<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     for (const CavityCopy& copy : m_layout.copies)
         content.cavities.extend(ofKind[copy.kind].translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
     const double depth = std::max(m_mold.settings.floor, m_mold.settings.ceiling) + m_mold.settings.step;
-    Eigen::AlignedBox3d deep = content.cavities;
-    deep.extend(Vector3d(deep.min() - Vector3d(0, 0, depth)))
-        .extend(Vector3d(deep.max() + Vector3d(0, 0, depth)));
+    const std::array<double, 2> ends = {content.cavities.max().z() + depth,
+                                        content.cavities.min().z() - depth};
     for (const CavityCopy& copy : m_layout.copies)
         for (const OutwardHole& hole : outwardHoles(copy)) {
-            const Vector3d mouth = mouthOf(hole, deep);
+            const Vector3d mouth = mouthOf(hole, ends[hole.side == 1 ? 0 : 1]);
             for (const double way : {-1.0, 1.0})
                 content.cavities.extend(
                     Vector3d(mouth.x() + way * hole.radius, mouth.y() + way * hole.radius, 0));
@@ -128,7 +126,7 @@ std::optional<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
         }
     }
     content.byHand = boxByHand();
-    return blockAround(content, m_mold.settings, m_grid);
+    return blockAround(content, m_mold.settings, {m_mold.directions, m_grid});
 }
 
 AlignedBox2d MoldBuilder::boxByHand() const {
@@ -168,54 +166,93 @@ bool MoldBuilder::placeOn(const Block& block) {
     const auto wishes = [&](Placeable kind, int count) { return wishesFor(settings.placed, kind, count); };
     Obstacles obstacles = planObstacles(block);
     addByHand(obstacles, block);
+    const Pull pull = settings.shape == BlockShape::Shell ? Pull::Inwards : Pull::Outwards;
     m_boltPlaces =
-        boltPlaces(settings.bolts, block, obstacles, wishes(Placeable::Bolt, settings.bolts.count));
+        boltPlaces(settings.bolts, block, obstacles, wishes(Placeable::Bolt, settings.bolts.count), pull);
     for (const Vector2d& place : m_boltPlaces)
         obstacles.push_back(boltOutline(settings.bolts, place, m_grid));
     m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel,
-                              wishes(Placeable::Slit, settings.slits.count));
+                              wishes(Placeable::Slit, settings.slits.count), pull);
     for (const Vector2d& place : m_slitPlaces)
         obstacles.push_back(slitShape(settings.slits, place));
     m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel,
-                            wishes(Placeable::Key, settings.keys.count));
+                            wishes(Placeable::Key, settings.keys.count), pull);
     return static_cast<int>(m_boltPlaces.size()) == settings.bolts.count &&
            static_cast<int>(m_slitPlaces.size()) == settings.slits.count &&
            static_cast<int>(m_keyPlaces.size()) == settings.keys.count;
 }
 
+/// Length of the tails, with what a wall that is not upright takes from them.
+Result<double> MoldBuilder::tail() const {
+    const double height = 0.4 * std::max(spout().diameter, spout().gate);
+    const Result<double> length = tailLength(height, m_rules);
+    if (!length)
+        return length;
+    const Result<std::array<double, 2>> flare =
+        outerFlare(Vector2d::UnitY(), m_mold.settings, m_mold.directions);
+    if (!flare)
+        return std::unexpected(flare.error());
+    return upToSixteenth(*length + height * std::max({0.0, -(*flare)[0], -(*flare)[1]}));
+}
+
 Result<void> MoldBuilder::fitBlock() {
     const MoldSettings& settings = m_mold.settings;
     if (inPlane()) {
-        const Result<double> tail = tailLength(0.4 * std::max(spout().diameter, spout().gate), m_rules);
-        if (!tail)
-            return std::unexpected(tail.error());
-        m_end = {*tail, 0};
+        const Result<double> length = tail();
+        if (!length)
+            return std::unexpected(length.error());
+        m_end = {*length, 0, {}};
     }
     constexpr int growths = 60;
     bool fits = false;
+    std::optional<Error> refused;
     // A band left and right makes room at the corners; what is wanted between them may need one all round.
     for (const bool allRound : {false, true})
         for (int growth = 0; growth < growths && !fits; ++growth) {
-            const std::optional<Block> block =
-                blockFor(settings.wall + growth, settings.wall + (allRound ? growth : 0));
-            if (!block)
+            Result<Block> block = blockFor(settings.wall + growth, settings.wall + (allRound ? growth : 0));
+            if (!block) {
+                refused = block.error();
                 break;
-            m_block = *block;
+            }
+            m_block = *std::move(block);
             fits = placeOn(m_block);
         }
-    if (m_block.isEmpty())
-        return failure(ErrorCode::Impossible,
-                       MW_TEXT("Mold", "No block of the stock is large enough: the longest has {0} mm."),
-                       {readable(*std::max_element(settings.stock.begin(), settings.stock.end()))});
+    if (m_block.empty())
+        return std::unexpected(*refused);
     if (!fits)
         return failure(ErrorCode::Impossible,
                        MW_TEXT("Mold", "There is no room for {0} keys, {1} slits and {2} bolt holes. Ask for "
                                        "fewer or smaller ones."),
                        {std::to_string(settings.keys.count), std::to_string(settings.slits.count),
                         std::to_string(settings.bolts.count)});
-    const double tail = m_end.face - m_end.line;
-    m_end = {m_block.max().y(), m_block.max().y() - tail};
+    if (settings.shape == BlockShape::Shell)
+        if (Result<void> done = cutShell(); !done)
+            return done;
+    const double length = m_end.face - m_end.line;
+    const double face = m_block.plan().max().y();
+    m_end = {face, face - length, m_block.flare(Vector2d::UnitY())};
     return makeRegistration();
+}
+
+/// Cuts the block down to what stands in it.
+Result<void> MoldBuilder::cutShell() {
+    const MoldSettings& settings = m_mold.settings;
+    std::vector<KeptInside> content;
+    for (PlanShape& shape : planObstacles(m_block))
+        content.push_back({std::move(shape), settings.wall});
+    for (const Vector2d& place : m_boltPlaces)
+        content.push_back({boltOutline(settings.bolts, place, m_grid), settings.bolts.wall});
+    for (const Vector2d& place : m_slitPlaces)
+        content.push_back({slitShape(settings.slits, place), settings.leastSteel});
+    for (std::size_t k = 0; k < m_keyPlaces.size(); ++k)
+        content.push_back({keyRoom(settings.keys, m_mold.directions, static_cast<int>(k), m_keyPlaces[k]),
+                           settings.leastSteel});
+    Result<Block> shell = shellOf(m_block, content, settings, {m_mold.directions, m_grid});
+    if (!shell)
+        return std::unexpected(shell.error());
+    m_mold.savedVolume = m_block.volume() - shell->volume();
+    m_block = *std::move(shell);
+    return {};
 }
 
 Result<void> MoldBuilder::makeRegistration() {
@@ -229,7 +266,7 @@ Result<void> MoldBuilder::makeRegistration() {
     }
     for (const Vector2d& place : m_slitPlaces) {
         Result<WedgeSlit> slit =
-            wedgeSlit(settings.slits, place, m_mold.directions, m_mold.draftDegrees, m_grid);
+            wedgeSlit(settings.slits, place, m_block, m_mold.directions, m_mold.draftDegrees, m_grid);
         if (!slit)
             return std::unexpected(slit.error());
         m_slits.push_back(*std::move(slit));

@@ -35,14 +35,14 @@ IndexedMesh tube(const PlanShape& outline, double low, double high) {
 } // namespace
 
 std::vector<Vector2d> boltPlaces(const BoltSettings& bolts, const Block& block, const Obstacles& obstacles,
-                                 const Wishes& wishes) {
+                                 const Wishes& wishes, Pull pull) {
     std::vector<Vector2d> places;
     Obstacles taken = obstacles;
     const std::vector<Vector2d> round = placesRound(block, static_cast<int>(wishes.size()));
     for (std::size_t i = 0; i < round.size(); ++i) {
-        const std::optional<Vector2d> place =
-            wishes[i] ? wishes[i]
-                      : nearestFree(round[i], cornerRadius(bolts), block, taken, {bolts.wall, bolts.clear});
+        const std::optional<Vector2d> place = wishes[i] ? wishes[i]
+                                                        : nearestFree(round[i], cornerRadius(bolts), block,
+                                                                      taken, {bolts.wall, bolts.clear}, pull);
         if (!place)
             break;
         places.push_back(*place);
@@ -68,7 +68,7 @@ IndexedMesh boltSurface(const PlanShape& outline, double end) {
 
 IndexedMesh boltSolid(const PlanShape& outline, const Block& block) {
     const auto n = static_cast<int>(outline.size());
-    IndexedMesh mesh = tube(outline, block.min().z(), block.max().z());
+    IndexedMesh mesh = tube(outline, block.end(2), block.end(1));
     mesh.F.conservativeResize(2 * n + 2 * (n - 2), 3);
     for (int k = 0; k < n - 2; ++k) { // convex: fans close it
         mesh.F.row(2 * n + 2 * k) << 0, k + 2, k + 1;

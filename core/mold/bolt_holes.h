@@ -11,7 +11,8 @@ namespace moldwright {
 /// middles of its sides, as their walls allow. Fewer where there is no room: then the block must grow.
 /// Obstacles hold what stands there by hand.
 [[nodiscard]] std::vector<Eigen::Vector2d> boltPlaces(const BoltSettings& bolts, const Block& block,
-                                                      const Obstacles& obstacles, const Wishes& wishes);
+                                                      const Obstacles& obstacles, const Wishes& wishes,
+                                                      Pull pull);
 
 /// The area that a hole takes, seen along the normal.
 [[nodiscard]] PlanShape boltRoom(const BoltSettings& bolts, const Eigen::Vector2d& place);

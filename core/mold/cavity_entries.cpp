@@ -97,8 +97,13 @@ private:
         const double neck = spout.neck / 2;
         const double full = std::max(spout.diameter / 2, neck + 0.5);
         constexpr double neckLength = 1; // mm
-        HalfBore bore{"Spout",   1,         place.axis, {}, std::tan(radians(m_plan.channelDraft)),
-                      place.tip, m_spouts++};
+        HalfBore bore{HalfBore::Use::Spout,
+                      1,
+                      place.axis,
+                      {},
+                      std::tan(radians(m_plan.channelDraft)),
+                      place.tip,
+                      m_spouts++};
         bore.stations = {{place.inside, 0.8 * neck},
                          {place.tip, neck},
                          {place.tip + neckLength, neck + 0.2},
@@ -154,7 +159,7 @@ private:
         for (int i = 0; i < pins.count; ++i) {
             const BorePlace& place = (*places)[static_cast<std::size_t>(i)];
             const double radius = pins.diameter / 2;
-            m_found.bores.push_back({"Ejector hole",
+            m_found.bores.push_back({HalfBore::Use::Pin,
                                      pins.side,
                                      place.axis,
                                      {{place.inside, radius}, {0, radius}},

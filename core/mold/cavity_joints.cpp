@@ -92,7 +92,8 @@ private:
             error.places.emplace_back(tip.x(), tip.y(), 0);
             return std::unexpected(std::move(error));
         }
-        return add(std::move(shape), m_plan.spout ? m_plan.settings->spout.diameter : width,
+        return add(std::move(shape),
+                   heightOverWidth * (m_plan.spout ? m_plan.settings->spout.diameter : width),
                    {{}, m_plan.spout ? "Spout" : "Gate", false, number, tip});
     }
 
@@ -109,10 +110,9 @@ private:
     }
 
     /// `stub`: what is known of it but its prism.
-    Result<void> add(PlanShape shape, double width, Stub stub) {
+    Result<void> add(PlanShape shape, double height, Stub stub) {
         const std::size_t top = shape.size() / 2;
-        Result<DraftedPrism> prism =
-            m_plan.rules.prism(std::move(shape), heightOverWidth * width, {{top, m_plan.slope}});
+        Result<DraftedPrism> prism = m_plan.rules.prism(std::move(shape), height, {{top, m_plan.slope}});
         if (!prism)
             return std::unexpected(prism.error());
         stub.prism = *std::move(prism);
@@ -179,11 +179,17 @@ private:
         const double exit = vented.byHand ? exitInPlane(*tip, width) : tip->y();
         if (!wayIsFree(shape, exit + 0.3) || !(vented.byHand || keepsClear(shape)))
             return false;
-        if (!add(std::move(shape), width, {{}, "Vent", true, vented.number, *tip}))
+        const double height = vents.depth > 0 ? vents.depth / sidesOfChannels() : heightOverWidth * width;
+        if (!add(std::move(shape), height, {{}, "Vent", true, vented.number, *tip}))
             return false;
         if (left > vents.smallestTrap)
             m_result.remaining.push_back({m_kind.cast.point(vented.trap.point), left});
         return true;
+    }
+
+    /// A vent's depth is shared by the halves that channels stand in.
+    [[nodiscard]] double sidesOfChannels() const {
+        return m_plan.rules.sides[0] && m_plan.rules.sides[1] ? 2 : 1;
     }
 
     /// Of the channels there are so far.
@@ -250,15 +256,15 @@ private:
         m_result.stubVolume = volume(*joined) - volume(m_kind.cast);
         m_result.solid = m_result.hollow = openedAt(*joined, request.openings);
         IndexedMesh cut = *joined;
-        return cutBores(cut, "Spout", m_result.spoutVolume, request) &&
-               cutBores(cut, "Ejector hole", m_result.pinVolume, request);
+        return cutBores(cut, HalfBore::Use::Spout, m_result.spoutVolume, request) &&
+               cutBores(cut, HalfBore::Use::Pin, m_result.pinVolume, request);
     }
 
-    /// The bores of one name; `taken`: mm³ that they take away.
-    bool cutBores(IndexedMesh& solid, const std::string& name, double& taken, JointRequest request) {
+    /// The bores of one use; `taken`: mm³ that they take away.
+    bool cutBores(IndexedMesh& solid, HalfBore::Use use, double& taken, JointRequest request) {
         std::vector<IndexedMesh> bodies;
         for (const HalfBore& bore : m_result.bores)
-            if (bore.name == name)
+            if (bore.use == use)
                 bodies.push_back(bore.solid(m_plan.rules.directions.of(bore.side), m_plan.rules.grid));
         if (bodies.empty())
             return true;

@@ -117,10 +117,14 @@ Result<DraftedPrism> tailOf(const DraftedPrism& channel, const ChannelRules& rul
     const double right = channel.base[from].x();
     const double left = channel.base[(from + 1) % channel.base.size()].x();
     PrismRequest request;
-    request.base = planRectangle({left, end.line}, {right, end.face});
+    // Where the face comes in with the height, what solidifies keeps behind it.
+    double behind = 0;
+    for (const std::size_t side : {0UL, 1UL})
+        behind = std::max(behind, -end.flare[side] * channel.height[side]);
+    request.base = planRectangle({left, end.line}, {right, closed ? end.face - behind : end.face});
     request.openings = {{0, {0, 0}}};
     if (!closed)
-        request.openings.push_back({2, {0, 0}});
+        request.openings.push_back({2, end.flare});
     request.height = channel.height;
     request.directions = {std::vector{rules.directions.d1}, std::vector{rules.directions.d2}};
     request.draftDegrees = rules.draftDegrees;

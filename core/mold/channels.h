@@ -69,6 +69,8 @@ struct RunnerNet {
 struct FaceEnd {
     double face = 0; ///< y of the block's face
     double line = 0; ///< y where the tail begins
+    std::array<double, 2> flare{0,
+                                0}; ///< how far the face goes outwards on side 1 and 2, mm per mm of height
 };
 
 /// The polygon of the spout: from `bottom` upwards `width` wide, then its full diameter, then the funnel, and

@@ -3,6 +3,8 @@
 #include "mesh/measures.h"
 #include "mold/mold_builder.h"
 
+#include <algorithm>
+
 namespace moldwright {
 
 namespace {
@@ -26,16 +28,18 @@ std::vector<std::pair<std::string, double>> sizesOf(const DraftedPrism& prism) {
 
 void MoldBuilder::listFeatures() {
     const MoldSettings& settings = m_mold.settings;
-    const Vector3d size = m_block.sizes();
+    const Vector3d size = m_block.box().sizes();
     m_mold.features.push_back({"block",
                                "Block",
-                               m_block.center(),
+                               m_block.box().center(),
                                {{"size_x", size.x()},
                                 {"size_y", size.y()},
                                 {"size_z", size.z()},
                                 {"wall", settings.wall},
                                 {"floor", settings.floor},
-                                {"ceiling", settings.ceiling}},
+                                {"ceiling", settings.ceiling},
+                                {"outer_draft_deg", settings.outerDraft},
+                                {"saved_volume", m_mold.savedVolume}},
                                {}});
     for (const CavityCopy& copy : m_layout.copies)
         listCavity(copy);
@@ -120,7 +124,18 @@ void MoldBuilder::listChannels() {
             m_mold.features.push_back(std::move(feature));
     }
     if (inPlane())
-        m_mold.pathLengths = m_net.pathLengths;
+        comparePaths();
+}
+
+void MoldBuilder::comparePaths() {
+    m_mold.pathLengths = m_net.pathLengths;
+    if (m_mold.pathLengths.empty())
+        return;
+    const auto [least, most] = std::minmax_element(m_mold.pathLengths.begin(), m_mold.pathLengths.end());
+    constexpr double equal = 0.01; // of the longest
+    if (*most - *least > equal * *most)
+        m_mold.notes.push_back("The cavities do not fill at the same time: the ways to them are " +
+                               readable(*least, 3) + " to " + readable(*most, 3) + " mm long.");
 }
 
 void MoldBuilder::listRegistration() {
@@ -162,7 +177,7 @@ void MoldBuilder::listBores(const CavityCopy& copy) {
         const std::vector<std::pair<std::string, double>> common = {{"side", bore.side}, {"length", length}};
         MoldFeature feature{
             "ejector", "Ejector hole in half " + std::to_string(bore.side), tip + by, common, {}};
-        const bool fills = bore.name == "Spout";
+        const bool fills = bore.use == HalfBore::Use::Spout;
         if (fills) {
             feature.kind = "spout";
             feature.name = "Spout through half 1";
@@ -189,7 +204,7 @@ void MoldBuilder::listBolts() {
         addPlaceable({"bolt",
                       "Bolt hole",
                       {place.x(), place.y(), 0},
-                      {{"diameter", m_mold.settings.bolts.diameter}, {"length", m_block.sizes().z()}},
+                      {{"diameter", m_mold.settings.bolts.diameter}, {"length", m_block.box().sizes().z()}},
                       {}},
                      {Placeable::Bolt, static_cast<int>(i), place}, m_bolts[i]);
     }

@@ -55,26 +55,28 @@ bool keepsClear(const PlanShape& shape, const Obstacles& obstacles, double steel
 }
 
 std::optional<Vector2d> nearestFree(const Vector2d& wish, double radius, const Block& block,
-                                    const Obstacles& obstacles, const Clearances& steel) {
+                                    const Obstacles& obstacles, const Clearances& steel, Pull pull) {
     constexpr double searchStep = 1; // mm
     const double edge = radius + steel.outside;
-    const Vector2d low = block.min().head<2>().array() + edge;
-    const Vector2d high = block.max().head<2>().array() - edge;
+    const Eigen::AlignedBox2d box = block.plan();
+    const Vector2d low = box.min().array() + edge;
+    const Vector2d high = box.max().array() - edge;
     std::vector<Vector2d> candidates;
     const Vector2d start = wish.cwiseMax(low).cwiseMin(high);
-    const Vector2d middle = block.center().head<2>();
+    const Vector2d middle = box.center();
     for (double x = low.x(); x <= high.x(); x += searchStep)
         for (double y = low.y(); y <= high.y(); y += searchStep)
             if ((Vector2d(x, y) - start).norm() < (start - middle).norm() / 2)
                 candidates.emplace_back(x, y);
     candidates.push_back(start);
     std::stable_sort(candidates.begin(), candidates.end(), [&](const Vector2d& a, const Vector2d& b) {
+        if (pull == Pull::Inwards) // least far out along the way to the wish
+            return (a - middle).dot(start - middle) < (b - middle).dot(start - middle);
         return (a - start).squaredNorm() < (b - start).squaredNorm();
     });
     const CirclesClear circles(obstacles, radius, steel.inside);
     for (const Vector2d& place : candidates)
-        if ((place.array() >= low.array() - 1e-9).all() && (place.array() <= high.array() + 1e-9).all() &&
-            circles.clear(place))
+        if (block.depthOf(place) >= edge - 1e-9 && circles.clear(place))
             return place;
     return std::nullopt;
 }
@@ -87,9 +89,10 @@ Wishes wishesFor(const PlacedFeatures& placed, Placeable kind, int count) {
 }
 
 std::vector<Vector2d> placesRound(const Block& block, int count) {
-    const Vector2d low = block.min().head<2>();
-    const Vector2d high = block.max().head<2>();
-    const Vector2d middle = block.center().head<2>();
+    const Eigen::AlignedBox2d box = block.plan();
+    const Vector2d low = box.min();
+    const Vector2d high = box.max();
+    const Vector2d middle = box.center();
     std::vector<Vector2d> places{low,
                                  high,
                                  {high.x(), low.y()},

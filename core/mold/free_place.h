@@ -21,11 +21,17 @@ struct Clearances {
     double inside = 0;  ///< to everything that stands in the plane
 };
 
-/// The free place for a circle that is nearest to `wish`, in the part of the block that is nearer to it than
-/// to its middle; none where there is no room.
+/// Where features round the block are best.
+enum class Pull {
+    Outwards, ///< as near to their place at the block's edge as there is room
+    Inwards   ///< as far from there as there is room: the block is cut down to them
+};
+
+/// The free place for a circle that is nearest to `wish`, or farthest from it, in the part of the block that
+/// is nearer to it than to its middle; none where there is no room.
 [[nodiscard]] std::optional<Eigen::Vector2d> nearestFree(const Eigen::Vector2d& wish, double radius,
                                                          const Block& block, const Obstacles& obstacles,
-                                                         const Clearances& steel);
+                                                         const Clearances& steel, Pull pull = Pull::Outwards);
 
 /// Where features of one kind were put by hand, in their order; none: it finds its own place.
 using Wishes = std::vector<std::optional<Eigen::Vector2d>>;

@@ -3,11 +3,11 @@
 
 #include "castability/certificate.h"
 #include "features/cgal/constrained_triangulation.h"
-#include "mesh/point_rows.h"
 #include "mesh/weld.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace moldwright {
@@ -17,34 +17,50 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// One of the six flat faces that close a half: coordinate `axis` is `value`, and it looks along ± that axis.
+/// One of the flat faces that close a half: the parting face, the back, or a wall.
 struct Flat {
-    int axis = 2;
-    double value = 0;
-    bool positive = true;
+    Vector3d origin; ///< a point of it
+    Vector3d normal; ///< unit
+    Vector3d
+        across; ///< unit, in the plane z = 0; with `upwards` right-handed seen from outside, or from inside
+    Vector3d upwards;
+    double tolerance = 0; ///< mm that points of it may lie off: walls lean, and their points are rounded
+    bool positive = true; ///< seen from outside
+
+    [[nodiscard]] bool holds(const Vector3d& p) const {
+        return std::abs(normal.dot(p - origin)) <= tolerance;
+    }
+    [[nodiscard]] Vector2d flat(const Vector3d& p) const {
+        return {across.dot(p - origin), upwards.dot(p - origin)};
+    }
 };
 
 class HalfAssembly {
 public:
     HalfAssembly(int side, SurfaceSum surface, const Block& block)
         : m_surface(std::move(surface.mesh)), m_open(std::move(surface.open)),
-          m_end(side == 1 ? block.max().z() : block.min().z()) {
-        for (int k = 0; k < 4; ++k)
-            for (const double z : {0.0, m_end}) {
-                const bool right = k == 1 || k == 2;
-                m_corners.emplace_back(right ? block.max().x() : block.min().x(),
-                                       k >= 2 ? block.max().y() : block.min().y(), z);
-            }
-        for (const Vector3d& p : m_corners)
-            m_points.push_back(p);
-        // An edge of a flat foot that lies in the parting plane and in a face of the block borders the
+          m_corners(block.body.base.size()), m_tolerance(4 * block.body.grid) {
+        for (std::size_t k = 0; k < m_corners; ++k)
+            m_points.push_back(block.body.foot(k));
+        for (std::size_t k = 0; k < m_corners; ++k)
+            m_points.push_back(block.body.top(side, k));
+        m_blockPoints = m_points.size();
+        const Vector3d z = Vector3d::UnitZ();
+        // An edge of a flat foot that lies in the parting plane and in a wall of the block borders the
         // latter.
-        m_flats = {{0, block.min().x(), false}, {0, block.max().x(), true}, {1, block.min().y(), false},
-                   {1, block.max().y(), true},  {2, 0, side == 2},          {2, m_end, side == 1}};
+        for (std::size_t k = 0; k < m_corners; ++k) {
+            const Vector3d& foot = m_points[k];
+            const Vector3d along = (m_points[(k + 1) % m_corners] - foot).normalized();
+            const Vector3d normal = along.cross(m_points[m_corners + k] - foot).normalized();
+            m_flats.push_back({foot, normal, along, z, m_tolerance, true});
+        }
+        for (const std::size_t at : {std::size_t{0}, m_corners})
+            m_flats.push_back(
+                {m_points[at], z, Vector3d::UnitX(), Vector3d::UnitY(), 0, (at == 0) == (side == 2)});
     }
 
     std::optional<IndexedMesh> closed() {
-        std::array<std::vector<std::array<int, 2>>, 6> segments = borders();
+        std::vector<Segments> segments = borders();
         addBlockEdges(segments);
         for (std::size_t i = 0; i < m_flats.size(); ++i)
             if (!addFlat(m_flats[i], segments[i]))
@@ -53,6 +69,8 @@ public:
     }
 
 private:
+    using Segments = std::vector<std::array<int, 2>>;
+
     int pointOf(int v) {
         const auto [at, isNew] = m_numberOf.try_emplace(v, static_cast<int>(m_points.size()));
         if (isNew) {
@@ -64,14 +82,15 @@ private:
 
     /// The surface with the flat faces, whose points are its own but for the block's corners.
     IndexedMesh whole() {
-        const int corners = m_surface.vertexCount();
-        m_surface.V.conservativeResize(corners + static_cast<Eigen::Index>(m_corners.size()), 3);
-        m_surface.V.bottomRows(static_cast<Eigen::Index>(m_corners.size())) = pointRows(m_corners);
+        const int own = m_surface.vertexCount();
+        m_surface.V.conservativeResize(own + static_cast<Eigen::Index>(m_blockPoints), 3);
+        for (std::size_t k = 0; k < m_blockPoints; ++k)
+            m_surface.V.row(own + static_cast<Eigen::Index>(k)) = m_points[k].transpose();
         Eigen::Index row = m_surface.F.rows();
         m_surface.F.conservativeResize(row + static_cast<Eigen::Index>(m_faces.size()), 3);
         const auto number = [&](int v) {
             const std::size_t at = static_cast<std::size_t>(v);
-            return at < m_corners.size() ? corners + v : m_ofSurface[at - m_corners.size()];
+            return at < m_blockPoints ? own + v : m_ofSurface[at - m_blockPoints];
         };
         for (const Eigen::RowVector3i& face : m_faces)
             m_surface.F.row(row++) << number(face[0]), number(face[1]), number(face[2]);
@@ -79,13 +98,13 @@ private:
     }
 
     /// The surface's open edges, by the flat face that they lie in.
-    std::array<std::vector<std::array<int, 2>>, 6> borders() {
-        std::array<std::vector<std::array<int, 2>>, 6> found;
+    std::vector<Segments> borders() {
+        std::vector<Segments> found(m_flats.size());
         for (const auto& [from, to] : m_open) {
             const Vector3d a = m_surface.point(from);
             const Vector3d b = m_surface.point(to);
             for (std::size_t i = 0; i < m_flats.size(); ++i)
-                if (a[m_flats[i].axis] == m_flats[i].value && b[m_flats[i].axis] == m_flats[i].value) {
+                if (m_flats[i].holds(a) && m_flats[i].holds(b)) {
                     found[i].push_back({pointOf(from), pointOf(to)});
                     break;
                 }
@@ -93,24 +112,26 @@ private:
         return found;
     }
 
-    /// The block's twelve edges. Those in the parting plane are interrupted where something opens into the
-    /// face.
-    void addBlockEdges(std::array<std::vector<std::array<int, 2>>, 6>& segments) {
-        for (int k = 0; k < 4; ++k) {
-            const int next = (k + 1) % 4;
-            addEdge(segments, 2 * k, 2 * next);
-            addEdge(segments, 2 * k + 1, 2 * next + 1);
-            addEdge(segments, 2 * k, 2 * k + 1);
+    /// The block's own edges. Those in the parting plane are interrupted where something opens into a wall.
+    void addBlockEdges(std::vector<Segments>& segments) {
+        const std::size_t plane = m_corners;
+        const std::size_t back = m_corners + 1;
+        for (std::size_t k = 0; k < m_corners; ++k) {
+            const std::size_t next = (k + 1) % m_corners;
+            addEdge(segments, static_cast<int>(k), static_cast<int>(next), {k, plane});
+            addEdge(segments, static_cast<int>(m_corners + k), static_cast<int>(m_corners + next), {k, back});
+            addEdge(segments, static_cast<int>(k), static_cast<int>(m_corners + k),
+                    {k, (k + m_corners - 1) % m_corners});
         }
     }
-    void addEdge(std::array<std::vector<std::array<int, 2>>, 6>& segments, int from, int to) {
+    void addEdge(std::vector<Segments>& segments, int from, int to, const std::array<std::size_t, 2>& flats) {
         const Vector3d a = m_points[static_cast<std::size_t>(from)];
         const Vector3d b = m_points[static_cast<std::size_t>(to)];
         const Vector3d along = (b - a).normalized();
         std::vector<std::pair<double, int>> openings;
-        for (std::size_t v = m_corners.size(); v < m_points.size(); ++v) {
+        for (std::size_t v = m_blockPoints; v < m_points.size(); ++v) {
             const Vector3d p = m_points[v] - a;
-            if ((p - along * p.dot(along)).squaredNorm() == 0)
+            if ((p - along * p.dot(along)).norm() <= m_tolerance)
                 openings.emplace_back(p.dot(along), static_cast<int>(v));
         }
         std::sort(openings.begin(), openings.end());
@@ -119,27 +140,22 @@ private:
             stops.push_back(v);
         stops.push_back(to);
         for (std::size_t i = 0; i + 1 < stops.size(); i += 2)
-            for (std::size_t flat = 0; flat < m_flats.size(); ++flat)
-                if (a[m_flats[flat].axis] == m_flats[flat].value &&
-                    b[m_flats[flat].axis] == m_flats[flat].value)
-                    segments[flat].push_back({stops[i], stops[i + 1]});
+            for (const std::size_t flat : flats)
+                segments[flat].push_back({stops[i], stops[i + 1]});
     }
 
-    bool addFlat(const Flat& flat, const std::vector<std::array<int, 2>>& segments) {
+    bool addFlat(const Flat& flat, const Segments& segments) {
         std::map<int, int> numberOf;
         std::vector<int> used;
         std::vector<Vector2d> points;
         std::vector<std::array<int, 2>> outline;
-        const int u = (flat.axis + 1) % 3; // (u, v, axis) is right-handed
-        const int v = (flat.axis + 2) % 3;
         for (const auto& segment : segments) {
             std::array<int, 2> ends{};
             for (std::size_t k = 0; k < 2; ++k) {
                 const auto [at, isNew] = numberOf.try_emplace(segment[k], static_cast<int>(used.size()));
                 if (isNew) {
                     used.push_back(segment[k]);
-                    const Vector3d& p = m_points[static_cast<std::size_t>(segment[k])];
-                    points.emplace_back(p[u], p[v]);
+                    points.push_back(flat.flat(m_points[static_cast<std::size_t>(segment[k])]));
                 }
                 ends[k] = at->second;
             }
@@ -157,11 +173,12 @@ private:
 
     IndexedMesh m_surface;
     std::vector<std::array<int, 2>> m_open;
-    double m_end;
-    std::vector<Vector3d> m_corners;
-    std::vector<Flat> m_flats;
-    std::vector<Vector3d> m_points; ///< the block's corners, then the borders'
-    std::vector<int> m_ofSurface;   ///< after the corners: which point of the surface each is
+    std::size_t m_corners;         ///< of the block's outline
+    std::size_t m_blockPoints = 0; ///< its corners in the plane, then those of the back
+    double m_tolerance;
+    std::vector<Flat> m_flats;      ///< the walls, the parting face, the back
+    std::vector<Vector3d> m_points; ///< the block's, then the borders'
+    std::vector<int> m_ofSurface;   ///< after the block's: which point of the surface each is
     std::map<int, int> m_numberOf;
     std::vector<Eigen::RowVector3i> m_faces;
 };

@@ -59,7 +59,7 @@ Result<Eigen::Vector3d> blockSize(const IndexedMesh& cast, const SideLabels& lab
         done = (builder.*stages.at(i).work)();
     if (!done)
         return std::unexpected(done.error());
-    return builder.block().sizes();
+    return builder.block().box().sizes();
 }
 
 } // namespace moldwright

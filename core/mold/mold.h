@@ -54,12 +54,15 @@ struct Mold {
     double cavityVolume = 0;  ///< mm³ of all cavities
     double channelVolume = 0; ///< mm³ of spout, runners, gates and vents as far as they fill
     double sprueVolume = 0;   ///< mm³ of that: what breaks off in spouts through half 1, not in `cast`
+    SharedMesh sprues;        ///< what fills those spouts; null where there are none
     double shellVolume = 0;   ///< mm³ of all cavities' walls when they are cast hollow; 0: cast solid
     double otherVolume = 0;   ///< mm³ of the block that stays empty: slits, clearance of keys, mouths
     double blockVolume = 0;   ///< mm³
-    double partingArea = 0;   ///< mm² enclosed by cavities and channels in the parting plane
-    double clampForce = 0;    ///< kN along n: partingArea × pressure × 1.1
-    double minWall = 0;       ///< mm, smallest steel between any two features or one and the outside
+    Eigen::Vector3d blockSize = Eigen::Vector3d::Zero(); ///< mm, both halves closed
+    double savedVolume = 0; ///< mm³ that a shell has less than the box it was cut from
+    double partingArea = 0; ///< mm² enclosed by cavities and channels in the parting plane
+    double clampForce = 0;  ///< kN along n: partingArea × pressure × 1.1
+    double minWall = 0;     ///< mm, smallest steel between any two features or one and the outside
     Eigen::Vector3d minWallPlace = Eigen::Vector3d::Zero(); ///< mm, mold's frame: on the feature it is at
     std::vector<ThinSteel> steel;                           ///< by pair of names, thinnest first
     std::vector<ThinSteel> steelOfEach;                     ///< by pair of features, thinnest first

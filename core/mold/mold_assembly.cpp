@@ -18,6 +18,11 @@ using Eigen::Vector3d;
 
 constexpr const char* boltName = "Bolt hole";
 constexpr const char* ejectorName = "Ejector hole";
+constexpr const char* spoutName = "Spout";
+
+const char* nameOf(const HalfBore& bore) {
+    return bore.use == HalfBore::Use::Spout ? spoutName : ejectorName;
+}
 
 /// Presses are chosen with this much in hand over pressure × area (1.1 to 1.2 are usual).
 constexpr double clampAllowance = 1.1;
@@ -50,6 +55,10 @@ SharedMesh shared(IndexedMesh mesh) {
     return std::make_shared<const IndexedMesh>(std::move(mesh));
 }
 
+std::string inMillimetres(const Vector3d& size) {
+    return readable(size.x()) + " x " + readable(size.y()) + " x " + readable(size.z()) + " mm";
+}
+
 double volumeOf(const DraftedPrism& prism) {
     return volume(*prismSolid(prism));
 }
@@ -63,7 +72,7 @@ std::unexpected<Error> unsound() {
 } // namespace
 
 void MoldBuilder::addHalf(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids) {
-    const double end = side == 1 ? m_block.max().z() : m_block.min().z();
+    const double end = m_block.end(side);
     std::vector<PlacedSurface> sides;
     for (const JoinedCavity& joined : m_joined)
         sides.push_back(placed(sideOf(joined.hollow, side, end)));
@@ -118,6 +127,7 @@ Result<void> MoldBuilder::assemble() {
 Result<void> MoldBuilder::measure() {
     const MoldSettings& settings = m_mold.settings;
     m_mold.blockVolume = m_block.volume();
+    m_mold.blockSize = m_block.box().sizes();
     for (const CavityCopy& copy : m_layout.copies)
         m_mold.cavityVolume += volume(kinds()[copy.kind].cast);
     if (settings.hollow.wall > 0) {
@@ -131,6 +141,7 @@ Result<void> MoldBuilder::measure() {
     for (const CavityCopy& copy : m_layout.copies)
         m_mold.sprueVolume += m_joined[copy.kind].spoutVolume;
     m_mold.channelVolume += m_mold.sprueVolume;
+    m_mold.sprues = sprues();
     for (std::size_t i = 0; i < m_openTails.size(); ++i)
         m_mold.otherVolume += volumeOf(m_openTails[i]) - volumeOf(m_closedTails[i]);
     for (const WedgeSlit& slit : m_slits)
@@ -145,6 +156,7 @@ Result<void> MoldBuilder::measure() {
     m_mold.partingArea = curves ? enclosedArea(*m_mold.cast, *curves) : 0;
     // cm² × bar / 100 = kN.
     m_mold.clampForce = m_mold.partingArea / 100 * settings.pressure / 100 * clampAllowance;
+    compareWithMachines();
     if (m_mold.sprueVolume > 0)
         m_mold.notes.push_back("Each spout through half 1 holds its sprue and breaks off at a neck of " +
                                readable(spout().neck, 3) +
@@ -164,6 +176,38 @@ Result<void> MoldBuilder::measureSteel() {
                                    thin.first + " and " + thin.second + ".");
     listFeatures();
     return {};
+}
+
+/// Notes of what the machines cannot do; each half is printed on its back.
+void MoldBuilder::compareWithMachines() {
+    const MachineSettings& machines = m_mold.settings.machines;
+    const Vector3d& bed = machines.bed;
+    for (const int side : {1, 2}) {
+        const Vector3d& size = (side == 1 ? m_mold.half1 : m_mold.half2).size;
+        const auto fits = [&](double x, double y) {
+            return x <= bed.x() && y <= bed.y() && size.z() <= bed.z();
+        };
+        if (bed.minCoeff() > 0 && !fits(size.x(), size.y()) && !fits(size.y(), size.x()))
+            m_mold.notes.push_back("Half " + std::to_string(side) + " of " + inMillimetres(size) +
+                                   " is larger than the printer's " + inMillimetres(bed) + ".");
+    }
+    if (machines.clamp > 0 && m_mold.clampForce > machines.clamp)
+        m_mold.notes.push_back("The mold needs " + readable(m_mold.clampForce, 3) +
+                               " kN to stay closed; the press has " + readable(machines.clamp, 3) + " kN.");
+}
+
+SharedMesh MoldBuilder::sprues() const {
+    std::vector<PlacedSurface> all;
+    for (std::size_t kind = 0; kind < m_joined.size(); ++kind)
+        for (const HalfBore& bore : m_joined[kind].bores) {
+            if (bore.use != HalfBore::Use::Spout)
+                continue;
+            const PlacedSurface sprue = placed(bore.solid(m_mold.directions.of(bore.side), m_grid));
+            for (const CavityCopy& copy : m_layout.copies)
+                if (copy.kind == kind)
+                    all.push_back({sprue.mesh, copy.offset});
+        }
+    return all.empty() ? nullptr : std::make_shared<const IndexedMesh>(sumOf(all).mesh);
 }
 
 Result<void> MoldBuilder::refuseCollisions() {
@@ -208,8 +252,8 @@ std::vector<Hollow> MoldBuilder::attachedTo(std::size_t kind) const {
                             true,
                             isByHand(Placeable::Vent, vent.number)});
     for (const HalfBore& bore : joined.bores) {
-        const Placeable what = bore.name == ejectorName ? Placeable::Ejector : Placeable::Spout;
-        attached.push_back({bore.name,
+        const Placeable what = bore.use == HalfBore::Use::Pin ? Placeable::Ejector : Placeable::Spout;
+        attached.push_back({nameOf(bore),
                             shared(bore.solid(m_mold.directions.of(bore.side), m_grid)),
                             {},
                             {},

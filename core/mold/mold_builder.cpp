@@ -165,7 +165,7 @@ Result<JointPlan> MoldBuilder::jointPlan() const {
     plan.draftDegrees = m_mold.draftDegrees;
     plan.up = up();
     plan.spout = single();
-    plan.blockEnd = {m_block.max().z(), -m_block.min().z()};
+    plan.blockEnd = {m_block.end(1), -m_block.end(2)};
     if (inPlane()) {
         const Result<std::array<double, 2>> slope = m_rules.slope(-Vector2d::UnitY());
         if (!slope)
@@ -226,7 +226,7 @@ std::vector<PlanShape> MoldBuilder::partingLines() const {
 }
 
 Result<void> MoldBuilder::prove() {
-    proveMold(m_mold);
+    proveMold(m_mold, m_block);
     return {};
 }
 

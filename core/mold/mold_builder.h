@@ -84,8 +84,11 @@ private:
         double radius;
     };
     [[nodiscard]] std::vector<OutwardHole> outwardHoles(const CavityCopy& copy) const;
-    [[nodiscard]] Eigen::Vector3d mouthOf(const OutwardHole& hole, const Eigen::AlignedBox3d& block) const;
-    [[nodiscard]] std::optional<Block> blockFor(double wallX, double wallY) const;
+    /// `end`: z of the half's back.
+    [[nodiscard]] Eigen::Vector3d mouthOf(const OutwardHole& hole, double end) const;
+    [[nodiscard]] Result<Block> blockFor(double wallX, double wallY) const;
+    [[nodiscard]] Result<double> tail() const;
+    Result<void> cutShell();
     [[nodiscard]] bool placeOn(const Block& block);
     Result<void> makeRegistration();
     Result<void> addTails();
@@ -94,6 +97,7 @@ private:
     void listCavity(const CavityCopy& copy);
     void listStubs(const CavityCopy& copy);
     void listChannels();
+    void comparePaths();
     void listRegistration();
     void listBores(const CavityCopy& copy);
     void listBolts();
@@ -101,6 +105,8 @@ private:
                       const Eigen::Vector2d& origin = Eigen::Vector2d::Zero());
     [[nodiscard]] std::vector<Hollow> hollows() const;
     [[nodiscard]] std::vector<Hollow> attachedTo(std::size_t kind) const;
+    [[nodiscard]] SharedMesh sprues() const;
+    void compareWithMachines();
 
     Mold m_mold;
     double m_grid = 0;

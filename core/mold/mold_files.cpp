@@ -192,6 +192,7 @@ std::string moldJson(const Mold& mold) {
                   {"half1", json(mold.half1)},
                   {"half2", json(mold.half2)},
                   {"block_volume", mold.blockVolume},
+                  {"block_size", vectorJson(mold.blockSize)},
                   {"cavity_volume", mold.cavityVolume},
                   {"channel_volume", mold.channelVolume},
                   {"sprue_volume", mold.sprueVolume},

@@ -86,6 +86,7 @@ struct VentSettings {
     bool on = false;
     double diameter = 1.5;   ///< mm, at the narrowest
     double smallestTrap = 5; ///< mm³ of air that may stay
+    double depth = 0; ///< mm, of vents in the parting plane, both halves together; 0: as a spout's, by width
 
     bool operator==(const VentSettings&) const = default;
 };
@@ -139,13 +140,31 @@ struct HollowSettings {
     bool operator==(const HollowSettings&) const = default;
 };
 
+/// What the mold is made and closed by. 0: not known, and not compared with.
+struct MachineSettings {
+    Eigen::Vector3d bed = Eigen::Vector3d::Zero(); ///< mm, width, depth and height that the printer can make
+    double clamp = 0;                              ///< kN that the press closes with
+
+    bool operator==(const MachineSettings&) const = default;
+};
+
+/// The block's outline in the parting plane.
+enum class BlockShape {
+    Box,  ///< a rectangle
+    Shell ///< cut down to what it holds: convex, with the walls' thickness all round
+};
+
 /// What a mold is made of. Lengths in mm. Walls of 5 mm are what open mold generators use for printed molds
 /// (range 1.5 to 25 mm). As it stands: a block round one cavity, no features.
 struct MoldSettings {
-    double wall = 5;       ///< steel between cavities or channels and each side face
-    double floor = 5;      ///< under the cavities of half 2
-    double ceiling = 5;    ///< over the cavities of half 1
-    double step = 1;       ///< block sizes round up to a multiple of this; 0: not rounded
+    double wall = 5;    ///< steel between cavities or channels and each side face
+    double floor = 5;   ///< under the cavities of half 2
+    double ceiling = 5; ///< over the cavities of half 1
+    double step = 1;    ///< block sizes round up to a multiple of this; 0: not rounded
+    BlockShape shape = BlockShape::Box;
+    /// Degrees that the outer faces widen from the parting plane to the back, against the removal directions:
+    /// a half that is cast itself then leaves its form. Below 0 they narrow: it leaves a frame the other way.
+    double outerDraft = 0;
     double pressure = 4;   ///< bar in the cavity while it fills, for the clamp force; set it to your process
     double leastSteel = 2; ///< between any two features: what is placed automatically keeps it
     double density = 0;    ///< g/cm³ of what is cast; 0: not known
@@ -159,6 +178,7 @@ struct MoldSettings {
     BoltSettings bolts;
     EjectorSettings ejectors;
     HollowSettings hollow;
+    MachineSettings machines;
     PlacedFeatures placed;     ///< what stands where a hand put it; the rest finds its own place
     std::vector<double> stock; ///< lengths and widths of blocks that are to be had, mm; empty: any
 

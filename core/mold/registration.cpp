@@ -48,7 +48,7 @@ Result<DraftedPrism> frustum(const PlanShape& base, double height, const Directi
 } // namespace
 
 std::vector<Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions, const Block& block,
-                                const Obstacles& obstacles, double steel, const Wishes& wishes) {
+                                const Obstacles& obstacles, double steel, const Wishes& wishes, Pull pull) {
     const double shift = shiftOf(keys, directions);
     std::vector<Vector2d> places;
     Obstacles taken = obstacles;
@@ -56,7 +56,7 @@ std::vector<Vector2d> keyPlaces(const KeySettings& keys, const Directions& direc
     for (std::size_t i = 0; i < round.size(); ++i) {
         const double radius = socketRadius(keys, i == 0, shift);
         const std::optional<Vector2d> place =
-            wishes[i] ? wishes[i] : nearestFree(round[i], radius, block, taken, {steel, steel});
+            wishes[i] ? wishes[i] : nearestFree(round[i], radius, block, taken, {steel, steel}, pull);
         if (!place)
             break;
         places.push_back(*place);
@@ -97,26 +97,33 @@ Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const
 }
 
 Vector2d onFace(const Vector2d& wish, const Block& block) {
-    return {wish.x() < 0 ? block.min().x() : block.max().x(), wish.y()};
+    const Eigen::AlignedBox2d box = block.plan();
+    return {wish.x() < 0 ? box.min().x() : box.max().x(), wish.y()};
 }
 
 std::vector<Vector2d> slitPlaces(const SlitSettings& slits, const Block& block, const Obstacles& obstacles,
-                                 double steel, const Wishes& wishes) {
+                                 double steel, const Wishes& wishes, Pull pull) {
     std::vector<Vector2d> places;
     Obstacles taken = obstacles;
-    const double reach = block.max().y() - slits.width / 2 - steel;
-    const Vector2d middle = block.center().head<2>();
+    const Eigen::AlignedBox2d box = block.plan();
+    const double reach = box.max().y() - slits.width / 2 - steel;
+    const Vector2d middle = box.center();
     const auto full = [&](std::size_t more) { return places.size() + more >= wishes.size(); };
     // A slit by hand needs no place of this pair.
     const auto free = [&](std::size_t more, const Vector2d& place) {
         return (!full(more) && wishes[places.size() + more]) ||
                keepsClear(slitShape(slits, place), taken, steel);
     };
-    // From the corner inwards: there the leverage is best.
-    for (double y = reach; y > middle.y() && !full(0); y -= searchStep)
+    std::vector<double> rows;
+    for (double y = reach; y > middle.y(); y -= searchStep)
+        rows.push_back(y);
+    // From the corner inwards: there the leverage is best. A shell has no corners.
+    if (pull == Pull::Inwards)
+        std::reverse(rows.begin(), rows.end());
+    for (const double y : rows)
         for (const double way : {1.0, -1.0}) {
-            const Vector2d place(block.max().x(), middle.y() + way * (y - middle.y()));
-            const Vector2d opposite(block.min().x(), middle.y() - way * (y - middle.y()));
+            const Vector2d place(box.max().x(), middle.y() + way * (y - middle.y()));
+            const Vector2d opposite(box.min().x(), middle.y() - way * (y - middle.y()));
             if (full(0) || !free(0, place) || (wishes.size() > 1 && !free(1, opposite)))
                 continue;
             for (const Vector2d& p : {place, opposite})
@@ -135,11 +142,12 @@ PlanShape slitShape(const SlitSettings& slits, const Vector2d& place) {
                          {std::max(inner, place.x()), place.y() + slits.width / 2});
 }
 
-Result<WedgeSlit> wedgeSlit(const SlitSettings& slits, const Vector2d& place, const Directions& directions,
-                            double draftDegrees, double grid) {
+Result<WedgeSlit> wedgeSlit(const SlitSettings& slits, const Vector2d& place, const Block& block,
+                            const Directions& directions, double draftDegrees, double grid) {
     PrismRequest request;
     request.base = slitShape(slits, place);
-    request.openings = {{place.x() > 0 ? 1UL : 3UL, {0, 0}}};
+    request.openings = {
+        {place.x() > 0 ? 1UL : 3UL, block.flare(place.x() > 0 ? Vector2d(1, 0) : Vector2d(-1, 0))}};
     request.height = {slits.height, slits.height};
     request.directions = {std::vector{directions.d1}, std::vector{directions.d2}};
     request.draftDegrees = draftDegrees + 0.5;

@@ -31,7 +31,7 @@ struct WedgeSlit {
 /// Obstacles hold what stands there by hand.
 [[nodiscard]] std::vector<Eigen::Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions,
                                                      const Block& block, const Obstacles& obstacles,
-                                                     double steel, const Wishes& wishes);
+                                                     double steel, const Wishes& wishes, Pull pull);
 
 /// The area that key `number` and its socket take, seen along the normal.
 [[nodiscard]] PlanShape keyRoom(const KeySettings& keys, const Directions& directions, int number,
@@ -49,7 +49,7 @@ struct WedgeSlit {
 /// where there is no room. Obstacles hold what stands there by hand.
 [[nodiscard]] std::vector<Eigen::Vector2d> slitPlaces(const SlitSettings& slits, const Block& block,
                                                       const Obstacles& obstacles, double steel,
-                                                      const Wishes& wishes);
+                                                      const Wishes& wishes, Pull pull);
 
 /// The mouth of a slit that was put to `wish`, on the face of the block that is meant.
 [[nodiscard]] Eigen::Vector2d onFace(const Eigen::Vector2d& wish, const Block& block);
@@ -59,6 +59,7 @@ struct WedgeSlit {
 
 /// A slit in both halves. Errors: Impossible.
 [[nodiscard]] Result<WedgeSlit> wedgeSlit(const SlitSettings& slits, const Eigen::Vector2d& place,
-                                          const Directions& directions, double draftDegrees, double grid);
+                                          const Block& block, const Directions& directions,
+                                          double draftDegrees, double grid);
 
 } // namespace moldwright

@@ -63,7 +63,7 @@ private:
         ThinSteel least{m_furthest, {}, hollow.name, "outside", hollow.number, 0};
         for (int v = 0; v < hollow.mesh->vertexCount(); ++v) {
             const Vector3d p = hollow.mesh->point(v) + shift(hollow);
-            const double wall = std::min((p - m_block.min()).minCoeff(), (m_block.max() - p).minCoeff());
+            const double wall = m_block.depthOf(p);
             if (wall < least.thickness) {
                 least.thickness = wall;
                 least.place = p;

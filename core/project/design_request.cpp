@@ -38,7 +38,7 @@ LiveSettings liveSettings(const Project& project) {
     live.draftDegrees = project.design.draftDegrees;
     live.limits = project.design.limits;
     live.smoothing = project.design.smoothing;
-    live.pins = project.pins;
+    live.pins.assign(project.pins.begin(), project.pins.end());
     if (project.part)
         live.faceWeights = faceWeights(project.importance, project.part->faceCount());
     live.regions = keptRegions(project.importance);
@@ -69,7 +69,8 @@ Project withLiveSettings(Project project, const LiveSettings& settings) {
     design.draftDegrees = settings.draftDegrees;
     design.limits = settings.limits;
     design.smoothing = settings.smoothing;
-    project = withPins(withDesignSettings(std::move(project), design), settings.pins);
+    std::vector<NamedPin> pins = named(settings.pins, project.pins);
+    project = withPins(withDesignSettings(std::move(project), design), std::move(pins));
     if (const LiveSettings now = liveSettings(project);
         now.regions != settings.regions || now.faceWeights != settings.faceWeights)
         project.importance = regionsWeighing(settings);

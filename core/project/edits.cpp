@@ -106,8 +106,17 @@ Project withDesignSettings(Project project, const DesignSettings& settings) {
     return project;
 }
 
-Project withPins(Project project, std::vector<Pin> pins) {
-    if (project.pins != pins)
+std::vector<NamedPin> named(const std::vector<Pin>& pins, const std::vector<NamedPin>& known) {
+    std::vector<NamedPin> result;
+    for (const Pin& pin : pins) {
+        const auto same = std::ranges::find(known, pin.point, &NamedPin::point);
+        result.push_back({pin, same != known.end() ? same->name : std::string()});
+    }
+    return result;
+}
+
+Project withPins(Project project, std::vector<NamedPin> pins) {
+    if (!std::ranges::equal(project.pins, pins, {}, &NamedPin::point, &NamedPin::point))
         project.cast = nullptr;
     project.pins = std::move(pins);
     return project;

@@ -31,7 +31,10 @@ namespace moldwright {
 [[nodiscard]] Project withPlane(Project project, const PartingPlane& plane, bool byHand);
 
 [[nodiscard]] Project withDesignSettings(Project project, const DesignSettings& settings);
-[[nodiscard]] Project withPins(Project project, std::vector<Pin> pins);
+/// Pins with the names of those that are known at the same points.
+[[nodiscard]] std::vector<NamedPin> named(const std::vector<Pin>& pins, const std::vector<NamedPin>& known);
+/// Other pins. Names are no part of what a cast follows from.
+[[nodiscard]] Project withPins(Project project, std::vector<NamedPin> pins);
 /// Other regions that are to keep their shape. Names and limits are no part of what a cast follows from.
 [[nodiscard]] Project withImportance(Project project, std::vector<ImportantRegion> regions);
 /// An undercut, known by a place on it, to be treated as chosen; none: by the rule, as all others. A choice

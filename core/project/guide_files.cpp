@@ -168,13 +168,13 @@ Result<ImportantRegion> regionOf(const Json& entry, const IndexedMesh& part,
 
 } // namespace
 
-Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const IndexedMesh& part) {
+Result<std::vector<NamedPin>> readPins(const std::filesystem::path& file, const IndexedMesh& part) {
     const Result<Json> list = readList(file, "pins");
     if (!list)
         return std::unexpected(list.error());
     const InsideTest solid(part);
     const ClosestPoint surface(part);
-    std::vector<Pin> pins;
+    std::vector<NamedPin> pins;
     for (const Json& entry : *list) {
         const std::string which = std::to_string(pins.size() + 1);
         const std::optional<Eigen::Vector3d> point = pointUnder(entry, "point");
@@ -187,16 +187,20 @@ Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const Index
                                    "{0}: pin {1} lies {2} mm outside the part. Pins are in the part's "
                                    "millimetres, after --units, --scale or --size."),
                            {file.string(), which, readable(outside, 3)});
-        pins.push_back({*point});
+        const bool named = entry.contains("name") && entry["name"].is_string();
+        pins.push_back({{*point}, named ? entry["name"].get<std::string>() : std::string()});
     }
     return pins;
 }
 
-std::string pinsText(const std::vector<Pin>& pins) {
+std::string pinsText(const std::vector<NamedPin>& pins) {
     Json list = Json::array();
-    for (const Pin& pin : pins)
+    for (const NamedPin& pin : pins) {
         list.push_back({{"point", {pin.point.x(), pin.point.y(), pin.point.z()}}});
-    return Json{{"pins", std::move(list)}}.dump(1) + '\n';
+        if (!pin.name.empty())
+            list.back()["name"] = pin.name;
+    }
+    return Json{{"pins", std::move(list)}}.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 Result<std::vector<ImportantRegion>> readWeights(const std::filesystem::path& file, const IndexedMesh& part) {

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "base/result.h"
-#include "design/design.h"
 #include "mold/placed_feature.h"
-#include "project/importance.h"
+#include "project/project.h"
 
 #include <filesystem>
 #include <string>
@@ -12,13 +11,14 @@
 
 namespace moldwright {
 
-/// The pins of a JSON file, {"pins": [{"point": [x, y, z]}, …]}, in mm in the part's frame; what else a pin
-/// carries (`pins` writes radius, kind, rank) is not read. A pin must lie in the part or on it. Errors:
-/// BadInput, naming the file, the entry and what is wrong.
-[[nodiscard]] Result<std::vector<Pin>> readPins(const std::filesystem::path& file, const IndexedMesh& part);
+/// The pins of a JSON file, {"pins": [{"point": [x, y, z], "name": "left ear"}, …]}, in mm in the part's
+/// frame; they need no name, and what else a pin carries (`pins` writes radius, kind, rank) is not read. A
+/// pin must lie in the part or on it. Errors: BadInput, naming the file, the entry and what is wrong.
+[[nodiscard]] Result<std::vector<NamedPin>> readPins(const std::filesystem::path& file,
+                                                     const IndexedMesh& part);
 
 /// The text of such a file.
-[[nodiscard]] std::string pinsText(const std::vector<Pin>& pins);
+[[nodiscard]] std::string pinsText(const std::vector<NamedPin>& pins);
 
 /// What is important of a part, from a JSON file, {"regions": [{"name": "eye", "centre": [x, y, z],
 /// "radius": r, "weight": w, "keep_within": d}, {"faces": [f, …], "weight": w}, …]}: a region is the faces

@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 
 // Names in files, in the order of the enumerations.
 constexpr std::array<std::string_view, 2> formulaNames = {"plus", "divide"};
+constexpr std::array<std::string_view, 2> shapeNames = {"box", "shell"};
 constexpr std::array<std::string_view, 3> arrangementNames = {"grid", "staggered", "packed"};
 constexpr std::array<std::string_view, 4> alternationNames = {"none", "turn", "flip", "mirror"};
 constexpr std::array<std::string_view, 2> restingNames = {"standing", "lying"};
@@ -29,6 +30,8 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"floor"}, mold.floor);
     at.value({"ceiling"}, mold.ceiling);
     at.value({"step"}, mold.step);
+    at.name({"shape"}, mold.shape, shapeNames);
+    at.value({"outer_draft_deg"}, mold.outerDraft);
     at.value({"pressure_bar"}, mold.pressure);
     at.value({"least_steel"}, mold.leastSteel);
     at.value({"density"}, mold.density);
@@ -51,6 +54,7 @@ void visit(Visitor& at, Settings& mold) {
     at.name({"spout", "pour"}, mold.spout.pour, pourNames);
     at.value({"vents", "on"}, mold.vents.on);
     at.value({"vents", "diameter"}, mold.vents.diameter);
+    at.value({"vents", "depth"}, mold.vents.depth);
     at.value({"vents", "smallest_trap"}, mold.vents.smallestTrap);
     at.value({"keys", "count"}, mold.keys.count);
     at.value({"keys", "diameter"}, mold.keys.diameter);
@@ -71,6 +75,9 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"hollow", "wall"}, mold.hollow.wall);
     at.value({"stock"}, mold.stock);
     at.features({"placed"}, mold.placed);
+    for (const auto& [axis, key] : {std::pair{0, "x"}, std::pair{1, "y"}, std::pair{2, "z"}})
+        at.value({"machines", "bed", key}, mold.machines.bed[axis]);
+    at.value({"machines", "clamp_kn"}, mold.machines.clamp);
     at.value({"ejectors", "count"}, mold.ejectors.count);
     at.value({"ejectors", "diameter"}, mold.ejectors.diameter);
     at.value({"ejectors", "side"}, mold.ejectors.side);
@@ -141,8 +148,8 @@ Json moldSettingsJson(const MoldSettings& settings) {
     return std::move(writer.json);
 }
 
-MoldSettings moldSettingsFrom(const Json& json) {
-    MoldSettings settings;
+MoldSettings moldSettingsFrom(const Json& json, const MoldSettings& otherwise) {
+    MoldSettings settings = otherwise;
     const Reader reader{json};
     visit(reader, settings);
     return settings;

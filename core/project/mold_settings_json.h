@@ -12,6 +12,7 @@ namespace moldwright {
 
 /// The settings from a project file; what the file does not name, as those of old do not, has its default.
 /// Throws as the library does where a value has the wrong type or an unknown name.
-[[nodiscard]] MoldSettings moldSettingsFrom(const nlohmann::ordered_json& json);
+[[nodiscard]] MoldSettings moldSettingsFrom(const nlohmann::ordered_json& json,
+                                            const MoldSettings& otherwise = {});
 
 } // namespace moldwright

@@ -57,13 +57,20 @@ struct CastResult {
     int steps = 0; ///< that the run took; 0 where nobody counted them
 };
 
+/// A pin as the designer knows it.
+struct NamedPin : Pin {
+    std::string name; ///< empty: it goes by its number
+
+    bool operator==(const NamedPin&) const = default;
+};
+
 /// One design of the part: what the designer decided, and what came of it.
 struct Variant {
     std::string variantName = "A";
     std::optional<MoldState> state; ///< none until a plane was chosen
     bool planeChosenByHand = false;
     DesignSettings design;
-    std::vector<Pin> pins;
+    std::vector<NamedPin> pins;
     std::vector<UndercutChoice> undercuts;   ///< treated as chosen at the state's plane
     std::vector<ImportantRegion> importance; ///< where the part is to keep its shape
     std::shared_ptr<const CastResult> cast;  ///< none until a design finished

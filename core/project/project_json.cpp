@@ -155,8 +155,12 @@ Json json(const Variant& variant) {
                    {"design", json(variant.design)},
                    {"mold", moldSettingsJson(variant.mold)},
                    {"pins", Json::array()}};
-    for (const Pin& pin : variant.pins)
+    for (const NamedPin& pin : variant.pins)
         result["pins"].push_back(json(pin.point));
+    // Beside the points, where programs that know no names do not look.
+    if (std::ranges::any_of(variant.pins, [](const NamedPin& pin) { return !pin.name.empty(); }))
+        for (const NamedPin& pin : variant.pins)
+            result["pin_names"].push_back(pin.name);
     if (!variant.undercuts.empty())
         result["undercuts"] = Json::array();
     for (const UndercutChoice& choice : variant.undercuts)
@@ -174,8 +178,12 @@ void readVariant(const Json& j, Variant& variant) {
     variant.planeChosenByHand = j.at("plane_chosen_by_hand").get<bool>();
     variant.design = designSettings(j.at("design"));
     variant.mold = moldSettingsFrom(j.at("mold"));
-    for (const Json& pin : j.at("pins"))
-        variant.pins.push_back({vector(pin)});
+    const Json names = j.value("pin_names", Json::array());
+    for (const Json& pin : j.at("pins")) {
+        const std::size_t number = variant.pins.size();
+        variant.pins.push_back(
+            {{vector(pin)}, number < names.size() ? names[number].get<std::string>() : std::string()});
+    }
     for (const Json& choice : j.value("undercuts", Json::array()))
         variant.undercuts.push_back(
             {vector(choice.at("place")),

@@ -105,13 +105,12 @@ ReportSection numbers(const ReportSubject& subject) {
         return section;
     }
     const Mold& mold = *subject.mold;
-    const Vector3d block = mold.half1.size + Vector3d(0, 0, mold.half2.size.z());
     section.rows = {{"Cavity, as cut", volumeInCm3(mold.cavityVolume), true},
                     {"Mix, with 10 % allowance", volumeInCm3(1.1 * (mold.cavityVolume + mold.channelVolume))},
                     {"Projected area in the plane", areaInCm2(mold.partingArea)},
                     {"Clamp force, " + readable(mold.settings.pressure) + " bar × 1.1",
                      figure(mold.clampForce, mold.clampForce < 10 ? 2 : 1) + " kN"},
-                    {"Mold, both halves", sizeInMillimetres(block)},
+                    {"Mold, closed", sizeInMillimetres(mold.blockSize)},
                     steelRow(mold)};
     return section;
 }

@@ -11,9 +11,11 @@
 #include "theme/theme.h"
 #include "window/languages.h"
 #include "window/main_window.h"
+#include "window/preferences_dialog.h"
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -95,7 +97,7 @@ std::vector<W*> seenOf(QWidget& window) {
     return found;
 }
 
-void expectNothingClipped(QWidget& window, const std::string& where) {
+void expectWordsWhole(QWidget& window, const std::string& where) {
     for (const QLabel* label : seenOf<QLabel>(window)) {
         const QString words = plainText(label);
         if (words.isEmpty() || !label->pixmap().isNull())
@@ -109,6 +111,13 @@ void expectNothingClipped(QWidget& window, const std::string& where) {
         EXPECT_GE(room.width() + 2, label->fontMetrics().horizontalAdvance(words))
             << where << named(label, words);
     }
+    for (const QPushButton* button : seenOf<QPushButton>(window))
+        EXPECT_GE(button->width() + 1, button->minimumSizeHint().width())
+            << where << named(button, button->text());
+}
+
+void expectNothingClipped(QWidget& window, const std::string& where) {
+    expectWordsWhole(window, where);
     const auto* verdict = window.findChild<VerdictButton*>();
     EXPECT_TRUE(seen(verdict)) << where;
     EXPECT_GE(verdict->width(), verdict->minimumSizeHint().width()) << where;
@@ -117,9 +126,6 @@ void expectNothingClipped(QWidget& window, const std::string& where) {
             EXPECT_TRUE(list->fits(row)) << where << named(list, list->item(row)->text());
     for (const FigureTable* table : seenOf<FigureTable>(window))
         EXPECT_TRUE(table->fits()) << where << named(table, {});
-    for (const QPushButton* button : seenOf<QPushButton>(window))
-        EXPECT_GE(button->width() + 1, button->minimumSizeHint().width())
-            << where << named(button, button->text());
 }
 
 /// No two controls of one panel lie on one another.
@@ -164,7 +170,40 @@ void expectGoodLooks(WindowDriver& driver, const std::string& where) {
     driver.shot(("look-" + where).c_str());
 }
 
-/// Looks at the start page, then at the pages of a part with a cast, in a language and a theme.
+/// Looks at the preferences, over whatever is open.
+void lookAtPreferences(WindowDriver& driver, const std::string& where) {
+    driver.press("Ctrl+,");
+    QDialog* dialog = nullptr;
+    ASSERT_TRUE(driver.waitFor([&] {
+        dialog = driver.window().findChild<PreferencesDialog*>();
+        return dialog && dialog->isVisible();
+    }));
+    QTest::qWait(120);
+    expectWordsWhole(*dialog, where + ": ");
+    expectReadable(*dialog, where + ": ");
+    driver.shot(("look-" + where).c_str());
+    dialog->close();
+    ASSERT_TRUE(driver.waitFor([&] { return !driver.window().findChild<PreferencesDialog*>(); }));
+}
+
+/// Looks at the start page with work that was lost on it, then without.
+void lookAtStart(WindowDriver& driver, const std::string& language) {
+    Project lost;
+    lost.name = "Goat head, horns pinned";
+    ASSERT_TRUE(RecoveryFolder().write(copyOf(lost, {}, theme().scene)));
+    driver.program().recovery().look();
+    ASSERT_TRUE(driver.waitFor([&] { return !driver.program().recovery().found().empty(); }));
+    for (const bool dark : {false, true}) {
+        driver.window().actions()[dark ? u"theme-dark"_s : u"theme-light"_s]->trigger();
+        driver.window().resize(1280, 800);
+        const std::string theme = dark ? "-dark-" : "-light-";
+        expectGoodLooks(driver, language + theme + "start");
+        ASSERT_NO_FATAL_FAILURE(lookAtPreferences(driver, language + theme + "preferences"));
+    }
+    driver.click("lost-discard");
+}
+
+/// Looks at the pages of a part with a cast, in a language and a theme.
 void lookAround(WindowDriver& driver, const QString& language, bool dark, QSize size) {
     driver.window().actions()[dark ? u"theme-dark"_s : u"theme-light"_s]->trigger();
     driver.window().resize(size);
@@ -174,7 +213,8 @@ void lookAround(WindowDriver& driver, const QString& language, bool dark, QSize 
                                   .arg(driver.window().devicePixelRatioF())
                                   .arg(size.width())
                                   .toStdString();
-    for (const char* row : {"part", "variants", "plane", "direction-1", "pins", "deform", "cast", "mold"}) {
+    for (const char* row : {"part", "variants", "plane", "direction-1", "pins", "importance", "deform",
+                            "undercuts", "cast", "mold"}) {
         driver.selectRow(row);
         expectGoodLooks(driver, where + row);
         if (testing::Test::HasFailure())
@@ -193,11 +233,7 @@ TEST_P(Appearance, NothingIsClippedOrOverlapsAndTextCanBeRead) {
     const QString language = QString::fromLatin1(GetParam());
     driver.program().setLanguage(language);
     QTest::qWait(100);
-    for (const bool dark : {false, true}) {
-        driver.window().actions()[dark ? u"theme-dark"_s : u"theme-light"_s]->trigger();
-        driver.window().resize(1280, 800);
-        expectGoodLooks(driver, GetParam() + std::string(dark ? "-dark-start" : "-light-start"));
-    }
+    ASSERT_NO_FATAL_FAILURE(lookAtStart(driver, GetParam()));
     ASSERT_TRUE(driver.openSample("praline"));
     driver.press("Ctrl+B");
     ASSERT_TRUE(driver.waitIdle());
@@ -208,6 +244,8 @@ TEST_P(Appearance, NothingIsClippedOrOverlapsAndTextCanBeRead) {
     QTest::qWait(900); // the halves move apart
     driver.press("Ctrl+D");
     driver.press("Ctrl+PgUp");
+    driver.press("Ctrl+Shift+U");
+    ASSERT_TRUE(driver.waitIdle());
     for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
         for (const bool dark : {false, true})
             lookAround(driver, language, dark, size);

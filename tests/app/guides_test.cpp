@@ -17,7 +17,9 @@
 #include "window/document.h"
 #include "window/main_window.h"
 #include "window/presentation.h"
+#include "window/row_commands.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QFile>
 #include <QMouseEvent>
@@ -39,7 +41,7 @@ PictureList* offeredList(WindowDriver& driver) {
     return driver.window().findChild<PictureList*>(QStringLiteral("pictures-offered"));
 }
 
-const std::vector<Pin>& pins(WindowDriver& driver) {
+const std::vector<NamedPin>& pins(WindowDriver& driver) {
     return driver.bench().project().pins;
 }
 
@@ -289,6 +291,44 @@ TEST(Pins, AreDraggedOverTheSurfaceAndInsideEachInOneStepAndHiddenOneByOne) {
     EXPECT_TRUE(view->scene().pins().pins().pins.empty()) << "its own eye hides it";
 }
 
+TEST(Pins, AreNamedInTheTreeHiddenByAKeyAndEveryRowHasItsMenu) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.bench().addPin(driver.bench().figures(driver.bench().project().part).box.center());
+    driver.bench().addPin(driver.bench().project().part->point(0));
+    QTest::qWait(50);
+    driver.selectRow("pin-1");
+    driver.press("F2");
+    QWidget* editor = QApplication::focusWidget();
+    QTest::keyClicks(editor, u"Left ear"_s);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTest::qWait(50);
+    EXPECT_EQ(pins(driver)[1].name, "Left ear");
+    EXPECT_EQ(driver.bench().pinName(0), u"Pin 1"_s);
+    EXPECT_EQ(driver.bench().document().history().steps().back().words, u"Rename"_s);
+    driver.selectRow("pin-1");
+    driver.press("H");
+    QTest::qWait(50);
+    EXPECT_EQ(driver.window().view().scene().pins().pins().pins.size(), 1U);
+    driver.press("H");
+    driver.press("Ctrl+Z");
+    EXPECT_EQ(driver.bench().pinName(1), u"Pin 2"_s);
+
+    // What a menu offers is a command, whatever the row.
+    auto* model = static_cast<ProjectModel*>(driver.window().findChild<ProjectTree*>()->model());
+    std::set<QString> known;
+    for (const QAction* command : driver.window().actions().all())
+        known.insert(command->objectName());
+    for (const char* row :
+         {"part", "variants", "plane", "direction-1", "pins", "pin-0", "importance", "deform", "mold"}) {
+        EXPECT_TRUE(model->indexOf(QString::fromLatin1(row)).isValid()) << row;
+        const QStringList commands = commandsOfRow(QString::fromLatin1(row));
+        EXPECT_FALSE(commands.isEmpty()) << row;
+        for (const QString& command : commands)
+            EXPECT_TRUE(command.isEmpty() || known.contains(command)) << row << ": " << command.toStdString();
+    }
+}
+
 TEST(Pins, AreSuggestedTakenByClickRankedAtThePlaneAndKeptInFiles) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("rabbit"));
@@ -330,7 +370,8 @@ TEST(Pins, AreSuggestedTakenByClickRankedAtThePlaneAndKeptInFiles) {
     driver.shot("35-tips-accepted");
 
     // Into a file, and back from it.
-    const std::vector<Pin> all = pins(driver);
+    driver.bench().renamePin(0, u"left \"ear\""_s);
+    const std::vector<NamedPin> all = pins(driver);
     const test::ScratchFolder folder;
     const QString file = QString::fromStdString((folder.path() / "pins.json").string());
     driver.answerFileDialog(file);
@@ -342,6 +383,47 @@ TEST(Pins, AreSuggestedTakenByClickRankedAtThePlaneAndKeptInFiles) {
     driver.window().actions()[QStringLiteral("import-pins")]->trigger();
     ASSERT_TRUE(driver.waitIdle());
     EXPECT_EQ(pins(driver), all);
+}
+
+TEST(Pins, AreAcceptedInALasso) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("rabbit"));
+    driver.press("Ctrl+3");
+    driver.press("Ctrl+G");
+    ASSERT_TRUE(driver.waitIdle());
+    const auto suggested = driver.bench().suggestionsInView();
+    ASSERT_GE(suggested.size(), 20U);
+    const std::size_t steps = driver.bench().document().history().steps().size();
+    PartView& view = driver.window().view();
+    // About the middle of all, so that some are inside and some are not.
+    QPoint middle;
+    for (const SuggestedPin& pin : suggested)
+        middle += view.pixelOf(pin.point) / static_cast<int>(suggested.size());
+    const QRect box(middle - QPoint(70, 70), middle + QPoint(70, 70));
+    std::size_t inside = 0;
+    for (const SuggestedPin& pin : suggested)
+        inside += box.contains(view.pixelOf(pin.point));
+    ASSERT_GT(inside, 0U);
+    ASSERT_LT(inside, suggested.size());
+
+    driver.press("Ctrl+Alt+G");
+    EXPECT_EQ(view.picking(), PartView::Picking::Lasso);
+    QTest::mousePress(&view, Qt::LeftButton, {}, box.topLeft());
+    for (const QPoint& corner : {box.topRight(), box.bottomRight(), box.bottomLeft()}) {
+        QMouseEvent event(QEvent::MouseMove, corner, view.mapToGlobal(corner), Qt::NoButton, Qt::LeftButton,
+                          {});
+        QApplication::sendEvent(&view, &event);
+    }
+    driver.shot("36-suggested-in-a-lasso");
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, box.bottomLeft());
+    QTest::qWait(50);
+    EXPECT_EQ(pins(driver).size(), inside);
+    EXPECT_EQ(driver.bench().document().history().steps().size(), steps + 1) << "one step takes them all";
+    for (const Pin& pin : pins(driver))
+        EXPECT_TRUE(box.contains(view.pixelOf(pin.point)));
+    driver.press("Esc");
+    driver.press("Ctrl+Z");
+    EXPECT_TRUE(pins(driver).empty());
 }
 
 TEST(Pins, ARunDrawsThemIntoThePlane) {

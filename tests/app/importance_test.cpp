@@ -50,8 +50,7 @@ Eigen::Vector3d middleOf(const IndexedMesh& mesh, int f) {
 }
 
 /// The face nearest to the eye that looks at it: nothing lies before it.
-int seenFace(WindowDriver& driver) {
-    const IndexedMesh& part = *driver.bench().project().part;
+int seenFace(WindowDriver& driver, const IndexedMesh& part) {
     const Eigen::Vector3d eye = driver.window().view().camera().backwards();
     int best = 0;
     double most = -1e9;
@@ -64,8 +63,16 @@ int seenFace(WindowDriver& driver) {
     return best;
 }
 
+int seenFace(WindowDriver& driver) {
+    return seenFace(driver, *driver.bench().project().part);
+}
+
+QPoint pixelOf(WindowDriver& driver, const IndexedMesh& mesh, int f) {
+    return driver.window().view().pixelOf(middleOf(mesh, f));
+}
+
 QPoint pixelOf(WindowDriver& driver, int f) {
-    return driver.window().view().pixelOf(middleOf(*driver.bench().project().part, f));
+    return pixelOf(driver, *driver.bench().project().part, f);
 }
 
 void move(QWidget* view, const QPoint& to, Qt::KeyboardModifiers keys, Qt::MouseButtons buttons) {
@@ -171,6 +178,59 @@ TEST(Importance, IsPaintedDoubledErasedNamedLimitedHiddenAndRemoved) {
         driver.press("Ctrl+Z");
     EXPECT_TRUE(driver.bench().document().committed() == before);
     ASSERT_TRUE(driver.waitIdle());
+}
+
+TEST(Importance, IsPaintedOnTheCastAndOnAFrameOfARun) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("bent_beam"));
+    driver.press("Ctrl+B");
+    ASSERT_TRUE(driver.waitIdle());
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().progress().size() >= 4; }, 180000));
+    driver.press("Space");
+    ASSERT_TRUE(driver.bench().resting());
+    driver.press("B");
+    EXPECT_EQ(mode(driver), DisplayMode::Importance);
+    // Where its faces come from is looked for beside.
+    const auto paintedAt = [&](int face) {
+        const std::size_t before = steps(driver);
+        return driver.waitFor(
+            [&] {
+                click(driver, pixelOf(driver, *driver.bench().shownMesh(), face));
+                return steps(driver) > before;
+            },
+            20000);
+    };
+    const int onFrame = seenFace(driver, *driver.bench().shownMesh());
+    const Eigen::Vector3d wasAt =
+        middleOf({*driver.bench().frame()->frame.before, driver.bench().shownMesh()->F}, onFrame);
+    ASSERT_TRUE(paintedAt(onFrame));
+    ASSERT_EQ(regions(driver).size(), 1U);
+    const IndexedMesh& part = *driver.bench().project().part;
+    const double reach = 2 * driver.bench().brushRadius();
+    for (const int f : regions(driver)[0].faces)
+        EXPECT_LT((middleOf(part, f) - wasAt).norm(), reach);
+    driver.shot("45-painted-in-a-run");
+
+    driver.press("Esc");
+    driver.press("Space");
+    ASSERT_TRUE(driver.waitIdle(180000));
+    const auto cast = driver.bench().project().cast;
+    ASSERT_TRUE(cast);
+    EXPECT_EQ(cast->regions.size(), 1U) << "the run has taken the region up";
+
+    driver.press("B");
+    const int onCast = seenFace(driver, *cast->mesh);
+    const Eigen::Vector3d castWasAt = middleOf({cast->before, cast->mesh->F}, onCast);
+    const ImportantRegion once = regions(driver)[0];
+    ASSERT_TRUE(paintedAt(onCast));
+    ASSERT_EQ(regions(driver).size(), 1U);
+    EXPECT_NE(regions(driver)[0], once);
+    for (const int f : regions(driver)[0].faces) {
+        const bool painted = !std::ranges::binary_search(once.faces, f);
+        EXPECT_LT(painted ? (middleOf(part, f) - castWasAt).norm() : 0, reach);
+    }
+    driver.shot("46-painted-on-the-cast");
 }
 
 TEST(Importance, TheBrushReachesAsFarAsItsRadiusOverTheSurface) {

@@ -3,12 +3,14 @@
 #include "app/window_driver.h"
 
 #include "panels/property_panel.h"
+#include "support/folders.h"
 #include "window/document.h"
 #include "window/main_window.h"
 #include "window/mold_pages.h"
 #include "window/workbench.h"
 
 #include <QComboBox>
+#include <QInputDialog>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -48,11 +50,15 @@ TEST(MoldPage, EveryValueGoesIntoTheSettingsAndComesBack) {
     int fields = 0;
     for (const PropertySection& section : page.sections)
         for (const Property& row : section.rows) {
-            double value = 0;
+            if (row.id == u"preset"_s)
+                continue;
+            QVariant value;
             if (const auto* number = std::get_if<NumberProperty>(&row.kind))
                 value = number->minimum + number->step;
             else if (const auto* choice = std::get_if<ChoiceProperty>(&row.kind))
                 value = static_cast<double>(choice->choices.size() - 1);
+            else if (std::holds_alternative<TextProperty>(row.kind))
+                value = u"80, 120.5"_s;
             else
                 continue;
             ++fields;
@@ -60,8 +66,52 @@ TEST(MoldPage, EveryValueGoesIntoTheSettingsAndComesBack) {
             ASSERT_TRUE(changed) << row.id.toStdString();
             EXPECT_FALSE(withMoldValue(*changed, row.id, value)) << row.id.toStdString() << " twice";
         }
-    EXPECT_EQ(fields, 19);
+    EXPECT_EQ(fields, 29);
     EXPECT_FALSE(withMoldValue(project, u"draft"_s, 3));
+}
+
+TEST(MoldPage, ShrinkIsOneNumberUntilAnAxisDiffers) {
+    Project project;
+    const auto set = [&](const QString& id, double value) { project = *withMoldValue(project, id, value); };
+    set(u"shrink"_s, 2);
+    EXPECT_EQ(project.mold.shrink.percent, Eigen::Vector3d(2, 2, 2));
+    set(u"shrink-z"_s, 1);
+    set(u"shrink"_s, 3);
+    EXPECT_EQ(project.mold.shrink.percent, Eigen::Vector3d(3, 2, 1));
+}
+
+TEST(MoldPage, PresetsAreSavedTakenOverAndRemoved) {
+    const test::ScratchFolder config;
+    const QByteArray before = qgetenv("XDG_CONFIG_HOME");
+    qputenv("XDG_CONFIG_HOME", config.path().c_str());
+    {
+        WindowDriver driver;
+        ASSERT_TRUE(driver.openSample("praline"));
+        driver.selectRow("mold");
+        driver.type("field-wall", "9");
+        driver.type("field-bed-x", "220");
+        driver.click("button-save-preset");
+        auto* dialog = driver.window().findChild<QInputDialog*>(u"preset-name"_s);
+        ASSERT_NE(dialog, nullptr);
+        dialog->setTextValue(u"Our press"_s);
+        dialog->accept();
+        QTest::qWait(100);
+        EXPECT_TRUE(std::filesystem::exists(config.path() / "moldwright/presets/Our press.json"));
+        ASSERT_NO_FATAL_FAILURE(choose(driver, "choice-preset", 1)); // shown already: it is what is set
+        driver.type("field-wall", "4");
+        auto* box = driver.window().findChild<QComboBox*>(u"choice-preset"_s);
+        EXPECT_EQ(box->currentIndex(), 0);
+        ASSERT_NO_FATAL_FAILURE(choose(driver, "choice-preset", 1));
+        EXPECT_EQ(driver.bench().project().mold.wall, 9);
+        driver.shot("mold-preset");
+        driver.press("Ctrl+Z");
+        EXPECT_EQ(driver.bench().project().mold.wall, 4) << "one step";
+        driver.press("Ctrl+Shift+Z");
+        driver.click("button-remove-preset");
+        EXPECT_TRUE(std::filesystem::is_empty(config.path() / "moldwright/presets"));
+        EXPECT_EQ(driver.bench().project().mold.wall, 9);
+    }
+    qputenv("XDG_CONFIG_HOME", before);
 }
 
 TEST(MoldPage, FeaturesAreChosenBuiltAndUndone) {

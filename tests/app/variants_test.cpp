@@ -167,7 +167,7 @@ TEST(VariantsWindow, TheMenuOfARowIsForThatRow) {
     QContextMenuEvent event(QContextMenuEvent::Mouse, place, tree(driver).viewport()->mapToGlobal(place));
     QApplication::sendEvent(tree(driver).viewport(), &event);
     EXPECT_EQ(seen, (QStringList{u"choose-variant"_s, u"compare-variants"_s, u"duplicate-variant"_s,
-                                 u"new-variant"_s, u"rename-variant"_s, u"remove-guide"_s}));
+                                 u"new-variant"_s, u"rename"_s, u"remove-guide"_s}));
     EXPECT_EQ(project(driver).variantName, "A");
 }
 

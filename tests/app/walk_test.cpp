@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Random walks through the window's commands: wherever undo and redo come back to, the document is the same.
+#include "app/document_hash.h"
 #include "app/window_driver.h"
 
-#include "project/project_json.h"
 #include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
@@ -11,33 +11,16 @@
 #include <QTest>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <functional>
 #include <random>
-#include <string_view>
 
 using namespace moldwright;
 using namespace Qt::StringLiterals;
+using test::hashOf;
 using test::WindowDriver;
 
 namespace {
-
-std::size_t hashOf(const IndexedMesh& mesh) {
-    const auto bytes = [](const auto& matrix) {
-        return std::string_view(reinterpret_cast<const char*>(matrix.data()),
-                                static_cast<std::size_t>(matrix.size()) * sizeof(*matrix.data()));
-    };
-    return std::hash<std::string_view>()(bytes(mesh.V)) * 31 + std::hash<std::string_view>()(bytes(mesh.F));
-}
-
-/// Of all that a document holds: what its file would tell, and its meshes to the bit.
-std::size_t hashOf(const Project& project) {
-    std::size_t hash = std::hash<std::string>()(documentJson(project).dump());
-    for (const SharedMesh& mesh : {project.source, project.part, project.cast ? project.cast->mesh : nullptr})
-        hash = hash * 1099511628211U + (mesh ? hashOf(*mesh) : 1);
-    return hash;
-}
 
 /// Walks, and remembers the document after every number of steps done.
 class Walk {

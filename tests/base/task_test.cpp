@@ -27,14 +27,15 @@ TEST(Task, CancelReachesEveryPart) {
 
 TEST(Task, ALegIsCancelledAloneAndWithTheWhole) {
     std::vector<double> seen;
-    const Task whole([&](double fraction, const std::string&) { seen.push_back(fraction); });
-    const Task first = whole.part(0, 0.5).leg();
-    first.progress(1, "a");
+    const Task whole;
+    const Task first =
+        whole.part(0, 0.5).leg([&](double fraction, const std::string&) { seen.push_back(fraction); });
+    first.part(0, 0.5).progress(1, "a");
     EXPECT_EQ(seen, std::vector<double>{0.5});
     first.cancel();
     EXPECT_TRUE(first.part(0, 1).stopped());
     EXPECT_FALSE(whole.stopped());
-    const Task second = whole.leg();
+    const Task second = whole.leg({});
     EXPECT_FALSE(second.stopped());
     whole.cancel();
     EXPECT_TRUE(second.stopped());

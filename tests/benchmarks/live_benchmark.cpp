@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kChangedAfter = 8; ///< steps
-constexpr int kWatched = 40;     ///< steps after the change
+constexpr int kWatched = 40;     ///< steps that heed the change
 
 /// What comes to the view, and when.
 struct Seen {
@@ -42,12 +42,15 @@ std::vector<Seen> framesAround(const Subject& subject, const std::function<void(
         change(changed);
         return changed;
     };
+    request.bendMeanwhile = [] { return true; };
     LiveSettings wanted = live;
     change(wanted);
     const Task task;
+    int heeding = 0;
     (void)design(request, task, [&](const DesignFrame& frame) {
         seen.push_back({Clock::now(), frame.settings == wanted});
-        if (seen.size() >= kChangedAfter + kWatched)
+        heeding += seen.back().changed;
+        if (heeding >= kWatched)
             task.cancel();
     });
     return seen;

@@ -41,7 +41,7 @@ IndexedMesh hillyRing(int faces) {
 struct Tray {
     IndexedMesh cast;
     std::vector<Vector2d> places;
-    Block block;
+    Eigen::AlignedBox3d block;
 
     Tray(int faces, int side) : cast(hillyRing(faces)) {
         const Eigen::AlignedBox3d box = boundingBox(cast);
@@ -63,7 +63,7 @@ struct Tray {
             HalfSurfaces surfaces;
             for (const Vector2d& place : places)
                 surfaces.voids.push_back({shown, place});
-            made[side == 1 ? 0 : 1] = assembleHalf(side, surfaces, block).value();
+            made[side == 1 ? 0 : 1] = assembleHalf(side, surfaces, uprightBlock(block)).value();
         }
         return made;
     }

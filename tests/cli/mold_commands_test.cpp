@@ -194,6 +194,10 @@ TEST_F(MoldCommands, MoldWithAllItsFeaturesVerifies) {
                                             "1.5",
                                             "--shrink-formula",
                                             "plus",
+                                            "--block",
+                                            "shell",
+                                            "--outer-draft",
+                                            "3",
                                             "--also",
                                             "obj,ply,svg,dxf",
                                             "--json",
@@ -204,6 +208,8 @@ TEST_F(MoldCommands, MoldWithAllItsFeaturesVerifies) {
     EXPECT_EQ(json["cavities"], 4);
     EXPECT_NEAR(json["shrink"]["factors"][0].get<double>(), 1.015, 1e-12);
     EXPECT_EQ(json["path_lengths"].size(), 4U);
+    EXPECT_EQ(json["features"][0]["outer_draft_deg"], 3);
+    EXPECT_GT(json["features"][0]["saved_volume"].get<double>(), 0);
     EXPECT_GT(json["channel_volume"].get<double>(), 0);
     EXPECT_NEAR(json["half1"]["volume"].get<double>() + json["half2"]["volume"].get<double>() +
                     json["cavity_volume"].get<double>() + json["channel_volume"].get<double>() +

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <numeric>
 
 using namespace moldwright;
@@ -34,8 +36,8 @@ DesignRequest level() {
 Result<DesignResult> changedAt(int step, DesignRequest request,
                                const std::function<void(LiveSettings&)>& change,
                                std::vector<DesignFrame>* frames = nullptr) {
-    LiveSettings live = request;
-    int steps = 0;
+    const LiveSettings live = request;
+    std::atomic<int> steps = 0;
     request.newest = [&]() -> std::optional<LiveSettings> {
         if (steps < step)
             return std::nullopt;
@@ -110,6 +112,47 @@ TEST(LiveDesign, APlaneChangedMeanwhileIsTheCastsAndTheShapeGoesOn) {
     EXPECT_EQ(frames[kEarly].state.plane, other);
     EXPECT_LT(leap(frames[kEarly - 1], frames[kEarly], *level().part), 0.04);
     EXPECT_GT(leap(frames[0], frames[kEarly], *level().part), 1e-3) << "it did not begin anew";
+}
+
+TEST(LiveDesign, TheShapeIsBentOnUntilAnotherPlaneIsReady) {
+    const PartingPlane other{Eigen::Vector3d(0.15, 0.1, 1).normalized(), 0.8};
+    DesignRequest request = level();
+    request.bendMeanwhile = [] { return true; };
+    std::vector<DesignFrame> frames;
+    const Result<DesignResult> result =
+        changedAt(kEarly, request, [&](LiveSettings& live) { live.plane = other; }, &frames);
+    expectProved(result, 1);
+    EXPECT_EQ(result->state.plane, other);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        EXPECT_EQ(frames[i].step, static_cast<int>(i) + 1);
+        EXPECT_EQ(frames[i].state.plane, *frames[i].settings.plane);
+    }
+    const auto heedsOther = [&](const DesignFrame& frame) { return frame.state.plane == other; };
+    const auto first = std::ranges::find_if(frames, heedsOther);
+    ASSERT_GE(first - frames.begin(), kEarly);
+    EXPECT_TRUE(std::all_of(first, frames.end(), heedsOther)) << "a leg that is over was seen";
+    EXPECT_LT(leap(frames[kEarly - 1], *first, *request.part), 0.04) << "it begins where the change was made";
+}
+
+TEST(LiveDesign, WhatIsChangedWhileAnotherPlaneIsMadeReadyCountsToo) {
+    const PartingPlane other{Eigen::Vector3d(0.15, 0.1, 1).normalized(), 0.8};
+    DesignRequest request = level();
+    request.bendMeanwhile = [] { return true; };
+    const LiveSettings live = request;
+    std::atomic<int> steps = 0;
+    request.newest = [&]() -> std::optional<LiveSettings> {
+        LiveSettings changed = live;
+        if (steps >= kEarly)
+            changed.plane = other;
+        if (steps >= kEarly + 1)
+            changed.draftDegrees = 3;
+        return changed;
+    };
+    const Result<DesignResult> result =
+        design(request, {}, [&](const DesignFrame& frame) { steps = frame.step; });
+    expectProved(result, 3);
+    EXPECT_EQ(result->state.plane, other);
+    EXPECT_EQ(result->settings.draftDegrees, 3);
 }
 
 TEST(LiveDesign, APinSetMeanwhileEndsInThePlane) {

@@ -94,6 +94,16 @@ TEST(MoldFeatures, RunnersFeedAllCavities) {
     EXPECT_EQ(count(*mold, "runner"), 6);
     EXPECT_EQ(mold->pathLengths.size(), 12U);
     EXPECT_EQ(diagnose(*mold->cast).components, 1) << "everything that solidifies is one piece";
+    for (const auto& [rows, columns] : {std::pair{3, 4}, std::pair{1, 3}, std::pair{1, 1}}) {
+        settings.layout.rows = rows;
+        settings.layout.columns = columns;
+        const Result<Mold> built = moldOf(ball(8, 4), settings);
+        ASSERT_TRUE(built);
+        const bool told = std::any_of(built->notes.begin(), built->notes.end(), [](const std::string& note) {
+            return note.find("do not fill at the same time") != std::string::npos;
+        });
+        EXPECT_EQ(told, columns > 1) << rows << " x " << columns;
+    }
 }
 
 TEST(MoldFeatures, EachSolidOfAPartHasItsGate) {
@@ -275,6 +285,16 @@ TEST(MoldFeatures, VentsServeWhatTheSpoutDoesNot) {
         EXPECT_EQ(mold->trappedAir, 0);
     }
     EXPECT_EQ(*std::max_element(vents.begin(), vents.end()), 1);
+    settings.vents.depth = 0.25;
+    for (const PourDirection pour : {PourDirection::Turn0, PourDirection::Turn180}) {
+        settings.spout.pour = pour;
+        const Result<Mold> mold = moldOf({part, {}}, settings);
+        expectVerified(mold);
+        for (const MoldFeature& feature : mold->features)
+            if (feature.kind == "vent") {
+                EXPECT_NEAR(feature.numbers[1].second + feature.numbers[2].second, 0.25, 1e-4);
+            }
+    }
     settings.spout.pour = PourDirection::Automatic;
     EXPECT_EQ(count(*moldOf({part, {}}, settings), "vent"), 0) << "upside down nothing is trapped";
 }

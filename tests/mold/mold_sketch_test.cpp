@@ -47,8 +47,8 @@ void expectAsBuilt(MoldSketcher& sketcher, const KnownCast& cast, MoldSettings s
         return; // it is marked, and the build refuses it
     EXPECT_EQ(sketch->settings, mold->settings);
     EXPECT_EQ(sketch->steel, mold->steelOfEach);
-    EXPECT_EQ(sketch->block.sizes().x(), mold->half1.size.x());
-    EXPECT_EQ(sketch->block.sizes().y(), mold->half1.size.y());
+    EXPECT_EQ(sketch->block.box().sizes().x(), mold->half1.size.x());
+    EXPECT_EQ(sketch->block.box().sizes().y(), mold->half1.size.y());
     EXPECT_EQ(sketch->trappedAir, mold->trappedAir);
     EXPECT_EQ(sketch->partToMold.matrix(), mold->partToMold.matrix());
     expectSameFeatures(sketch->features, mold->features);

@@ -61,10 +61,10 @@ TEST(Release, NeedsASoundHalf) {
 }
 
 TEST(Release, OfAStraightHoleAsksForDraftOnlyWhereSomethingStandsInIt) {
-    const Block block(Vector3d(-20, -20, -10), Vector3d(20, 20, 10));
+    const Block block = uprightBlock({Vector3d(-20, -20, -10), Vector3d(20, 20, 10)});
     const PlanShape outline = planCircle({3, 4}, 2, 32);
     HalfSurfaces surfaces;
-    surfaces.voids.push_back({std::make_shared<const IndexedMesh>(boltSurface(outline, block.max().z()))});
+    surfaces.voids.push_back({std::make_shared<const IndexedMesh>(boltSurface(outline, block.end(1)))});
     const IndexedMesh half = assembleHalf(1, surfaces, block).value();
     const IndexedMesh other = box({-20, -20, -10}, {20, 20, 0});
     const auto stuck = [&](const IndexedMesh& cast) {

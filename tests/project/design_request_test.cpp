@@ -14,7 +14,7 @@ Project pinned() {
     Project project = test::someProject();
     project.planeChosenByHand = true;
     project.undercuts.clear();
-    return withPins(project, {{{1, 2, 3}}});
+    return withPins(project, {{{{1, 2, 3}}, "tail"}});
 }
 
 } // namespace
@@ -31,6 +31,7 @@ TEST(DesignRequest, TakesUpWhatARunTookUp) {
     EXPECT_EQ(liveSettings(after), liveSettings(changed));
     EXPECT_FALSE(after.cast);
     EXPECT_TRUE(sameButLive(begun, changed));
+    EXPECT_EQ(withLiveSettings(begun, liveSettings(begun)).pins, begun.pins) << "with their names";
 }
 
 TEST(DesignRequest, OtherThingsAreForTheNextRun) {

@@ -28,6 +28,24 @@ TEST(Edits, ThatChangeNothingKeepTheCast) {
     EXPECT_TRUE(equal(withPins(project, project.pins), project));
 }
 
+TEST(Edits, APinsNameIsNoPartOfWhatTheCastFollowsFrom) {
+    const Project project = someProject();
+    std::vector<NamedPin> pins = project.pins;
+    pins[1].name = "tail";
+    const Project after = withPins(project, pins);
+    EXPECT_EQ(after.cast, project.cast);
+    EXPECT_EQ(after.pins[1].name, "tail");
+    EXPECT_FALSE(equal(after, project)) << "it is an edit all the same";
+}
+
+TEST(Edits, PinsKeepTheNamesOfThoseAtTheirPoints) {
+    const std::vector<NamedPin> known = {{{Vector3d(1, 2, 3)}, "tail"}, {{Vector3d(4, 5, 6)}, {}}};
+    const std::vector<NamedPin> pins = named({{Vector3d(7, 8, 9)}, {Vector3d(1, 2, 3)}}, known);
+    ASSERT_EQ(pins.size(), 2U);
+    EXPECT_EQ(pins[0].name, "");
+    EXPECT_EQ(pins[1].name, "tail");
+}
+
 TEST(Edits, ThatTheCastDoesNotSurviveDropIt) {
     const Project project = someProject();
     Placement placement = project.placement;

@@ -17,7 +17,7 @@ IndexedMesh cube() {
     return test::box(Vector3d::Zero(), Vector3d::Constant(10));
 }
 
-Result<std::vector<Pin>> readText(const std::string& text) {
+Result<std::vector<NamedPin>> readText(const std::string& text) {
     const test::ScratchFolder folder;
     const std::filesystem::path file = folder.path() / "pins.json";
     std::ofstream(file) << text;
@@ -34,15 +34,17 @@ Result<std::vector<ImportantRegion>> readWeightsText(const std::string& text) {
 } // namespace
 
 TEST(GuideFiles, PinsComeBackToTheBit) {
-    const std::vector<Pin> pins = {{Vector3d(1.0 / 3, 2, 9.87654321)}, {Vector3d(10, 5, 5)}};
-    const Result<std::vector<Pin>> read = readText(pinsText(pins));
+    const std::vector<NamedPin> pins = {{{Vector3d(1.0 / 3, 2, 9.87654321)}, {}},
+                                        {{Vector3d(10, 5, 5)}, "left \"ear\" ∅"}};
+    const Result<std::vector<NamedPin>> read = readText(pinsText(pins));
     ASSERT_TRUE(read);
     EXPECT_EQ(*read, pins);
     EXPECT_TRUE(readText(pinsText({}))->empty());
 }
 
 TEST(GuideFiles, APinOutsideThePartIsRefusedWithItsDistance) {
-    const Result<std::vector<Pin>> read = readText(pinsText({{Vector3d(5, 5, 5)}, {Vector3d(5, 5, 12)}}));
+    const Result<std::vector<NamedPin>> read =
+        readText(pinsText({{{Vector3d(5, 5, 5)}, {}}, {{Vector3d(5, 5, 12)}, {}}}));
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::BadInput);
     EXPECT_EQ(read.error().message.arguments[1], "2") << "it is the second";

@@ -21,6 +21,10 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     settings.spout.resting = Resting::Lying;
     settings.spout.neck = 2.5;
     settings.hollow.wall = 3;
+    settings.shape = BlockShape::Shell;
+    settings.outerDraft = -4;
+    settings.vents.depth = 0.03;
+    settings.machines = {{220, 210, 250}, 50};
     settings.stock = {80, 125.5};
     settings.placed = {{Placeable::Spout, 0, {3.5, 40}}, {Placeable::Key, 2, {-20.25, 1e-3}}};
     EXPECT_EQ(moldSettingsFrom(moldSettingsJson(settings)), settings);

@@ -85,6 +85,16 @@ TEST(ProjectFile, OneVariantIsWrittenAsItEverWas) {
     EXPECT_EQ(back->project.variantName, "tall");
 }
 
+TEST(ProjectFile, NamesOfPinsComeBackAndStandBesideTheirPoints) {
+    Project project = someProject();
+    EXPECT_FALSE(documentJson(project).contains("pin_names")) << "where none has a name";
+    project.pins[1].name = "left horn";
+    EXPECT_EQ(documentJson(project)["pins"], documentJson(someProject())["pins"]) << "as older programs read";
+    const Result<StoredProject> back = readProjectBytes(bytesOf({project, "", ""}), "x");
+    ASSERT_TRUE(back.has_value()) << message(back);
+    EXPECT_EQ(back->project.pins, project.pins);
+}
+
 TEST(ProjectFile, ManifestListsVariantsWhereThereAreSeveral) {
     const ScratchFolder folder;
     ASSERT_TRUE(saveProject(folder.path() / "v.moldwright", variants).has_value());

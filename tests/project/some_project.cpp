@@ -46,7 +46,7 @@ Project someProject() {
                       7,
                       0.25,
                       true};
-    project.pins = {{{0.1, 0.2, 0.3}}, {{-1, 2, 1e-17}}};
+    project.pins = {{{{0.1, 0.2, 0.3}}, {}}, {{{-1, 2, 1e-17}}, {}}};
     project.undercuts = {{{1, -2, 0.25}, UndercutChoice::Treatment::Fill},
                          {{3, 4, 5}, UndercutChoice::Treatment::Bend}};
     project.importance = {{"eye", {0, 3, 4}, {2, 16, 1.5}, 0.25}, {"Logo ∅", {1}, {1}, 0}};
@@ -76,7 +76,7 @@ Project someVariants() {
     project = withVariantName(project, 0, "flat back");
     project = withFreshVariant(project);
     project.importance = {{"nose", {2, 5}, {4, 8}, 0.5}};
-    project.pins = {{{7, 8, 9}}};
+    project.pins = {{{{7, 8, 9}}, {}}};
     CastResult cast = *variantAt(project, 0).cast;
     cast.steps = 31;
     cast.mesh = std::make_shared<const IndexedMesh>(IndexedMesh{2 * cast.mesh->V, cast.mesh->F});

@@ -33,11 +33,9 @@ void FrameSlider::setSteps(const std::vector<int>& steps, int shown) {
     if (steps.empty())
         return;
     const QSignalBlocker quiet(m_slider);
-    const int newest = static_cast<int>(steps.size()) - 1;
-    const int frame = shown < 0 ? newest : shown;
-    m_slider->setRange(0, newest);
-    m_slider->setValue(frame);
-    m_words->setText(tr("Step %1 of %2").arg(steps[static_cast<std::size_t>(frame)]).arg(steps.back()));
+    m_slider->setRange(0, static_cast<int>(steps.size()) - 1);
+    m_slider->setValue(shown);
+    m_words->setText(tr("Step %1 of %2").arg(steps.at(static_cast<std::size_t>(shown))).arg(steps.back()));
 }
 
 } // namespace moldwright

@@ -16,8 +16,8 @@ class FrameSlider : public QWidget {
 public:
     explicit FrameSlider(QWidget* parent = nullptr);
 
-    /// The steps of the frames kept, ascending, and the number of the one in view; −1: the newest. Hidden
-    /// while there is nothing to go back to.
+    /// The steps of the frames kept, ascending, and the number of the one in view. Hidden while there is
+    /// nothing to go back to.
     void setSteps(const std::vector<int>& steps, int shown);
 
 Q_SIGNALS:

@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -161,7 +162,9 @@ void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* colu
         }
         auto* label = makeLabel(property.label, this, false);
         label->setToolTip(property.help);
-        label->setBuddy(row.field ? static_cast<QWidget*>(row.field) : row.choice);
+        label->setBuddy(row.field  ? static_cast<QWidget*>(row.field)
+                        : row.text ? static_cast<QWidget*>(row.text)
+                                   : row.choice);
         editor->setToolTip(property.help);
         grid->addWidget(label, line, 0);
         grid->addWidget(editor, line, 1);
@@ -185,6 +188,8 @@ QWidget* PropertyPanel::makeEditor(const Property& property, Row& row) {
         return makeNumber(property, *number, row);
     if (const auto* choice = std::get_if<ChoiceProperty>(&property.kind))
         return makeChoice(property, *choice, row);
+    if (const auto* text = std::get_if<TextProperty>(&property.kind))
+        return makeText(property, *text, row);
     if (const auto* pictures = std::get_if<PicturesProperty>(&property.kind))
         return makePictures(property, *pictures, row);
     if (const auto* table = std::get_if<TableProperty>(&property.kind))
@@ -272,6 +277,18 @@ QWidget* PropertyPanel::makeChoice(const Property& property, const ChoicePropert
     return row.choice;
 }
 
+QWidget* PropertyPanel::makeText(const Property& property, const TextProperty& text, Row& row) {
+    row.text = new QLineEdit(this);
+    row.text->setPlaceholderText(text.placeholder);
+    row.text->setFixedHeight(24);
+    row.text->setAccessibleName(property.label);
+    row.text->setObjectName(QStringLiteral("text-") + property.id);
+    const QString id = property.id;
+    connect(row.text, &QLineEdit::editingFinished, this,
+            [this, id, field = row.text] { Q_EMIT committed(id, field->text()); });
+    return row.text;
+}
+
 QWidget* PropertyPanel::makeReading(const ReadingProperty& reading, Row& row) {
     auto* editor = new QWidget(this);
     auto* line = new QHBoxLayout(editor);
@@ -326,6 +343,8 @@ void PropertyPanel::setValue(const QString& id, const QVariant& value) {
         row.slider->setValue(static_cast<int>(
             std::lround((value.toDouble() - n.minimum) / (n.maximum - n.minimum) * sliderSteps)));
     }
+    if (row.text && !row.text->hasFocus())
+        row.text->setText(value.toString());
     if (row.choice) {
         const QSignalBlocker quiet(row.choice);
         row.choice->setCurrentIndex(value.toInt());

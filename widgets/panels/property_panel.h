@@ -14,6 +14,7 @@
 class QAction;
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QSlider;
 class QVBoxLayout;
 
@@ -36,6 +37,11 @@ struct ChoiceProperty {
     QStringList choices;
 };
 
+/// A short text; what stands in the field while it is empty.
+struct TextProperty {
+    QString placeholder;
+};
+
 /// A measured value with the goal beside it. Values are given as QStringList {value, goal}.
 struct ReadingProperty {
     bool withGoal = false;
@@ -56,7 +62,9 @@ struct Property {
     QString id;
     QString label;
     QString help;
-    std::variant<NumberProperty, ChoiceProperty, ReadingProperty, PicturesProperty, TableProperty> kind;
+    std::variant<NumberProperty, ChoiceProperty, TextProperty, ReadingProperty, PicturesProperty,
+                 TableProperty>
+        kind;
 };
 
 /// A section: rows, then paragraphs, then its buttons, two side by side. The first action of a primary
@@ -110,6 +118,7 @@ private:
         QuantitySpinBox* field = nullptr;
         QSlider* slider = nullptr;
         QComboBox* choice = nullptr;
+        QLineEdit* text = nullptr;
         QLabel* reading = nullptr;
         QLabel* goal = nullptr;
         PictureList* pictures = nullptr;
@@ -121,6 +130,7 @@ private:
     void addSection(const PropertySection& section, QVBoxLayout* column);
     QWidget* makeNumber(const Property& property, const NumberProperty& number, Row& row);
     QWidget* makeChoice(const Property& property, const ChoiceProperty& choice, Row& row);
+    QWidget* makeText(const Property& property, const TextProperty& text, Row& row);
     QWidget* makeReading(const ReadingProperty& reading, Row& row);
     QWidget* makePictures(const Property& property, const PicturesProperty& pictures, Row& row);
     QWidget* makeTable(const Property& property, const TableProperty& table, Row& row);

@@ -26,6 +26,7 @@ constexpr int leftWidth = 340;
 constexpr int cardWidth = 232;
 constexpr int cardHeight = 248;
 constexpr int pictureHeight = 198;
+constexpr int mostLost = 3; ///< at a time
 
 QFont fontOf(const QWidget* widget, int pixels, bool bold) {
     QFont font = widget->font();
@@ -192,6 +193,9 @@ QWidget* StartPage::makeLeft(QAction* open, QAction* tour) {
     column->addWidget(wideButton(open, true, left));
     column->addWidget(wideButton(tour, false, left));
     column->addSpacing(20);
+    m_lost = new QVBoxLayout;
+    m_lost->setSpacing(8);
+    column->addLayout(m_lost);
     m_recentHead = new QWidget(left);
     auto* head = new QHBoxLayout(m_recentHead);
     head->setContentsMargins(0, 0, 0, 0);
@@ -283,6 +287,25 @@ void StartPage::setRecent(const std::vector<RecentFile>& files) {
         connect(button, &QAbstractButton::clicked, this, [this, file] { Q_EMIT fileChosen(file.file); });
         m_recent->addWidget(button);
     }
+}
+
+void StartPage::setLost(const std::vector<LostCard>& cards) {
+    if (cards == m_lostCards)
+        return; // a button keeps the keyboard
+    m_lostCards = cards;
+    while (QLayoutItem* item = m_lost->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (int i = 0; i < std::min(static_cast<int>(cards.size()), mostLost); ++i) {
+        auto* card = new LostCardFrame(cards[static_cast<std::size_t>(i)], this);
+        connect(card, &LostCardFrame::reopenChosen, this, [this, i] { Q_EMIT lostChosen(i); });
+        connect(card, &LostCardFrame::discardChosen, this, [this, i] { Q_EMIT lostDiscarded(i); });
+        connect(card, &LostCardFrame::showChosen, this, [this, i] { Q_EMIT lostShown(i); });
+        m_lost->addWidget(card);
+    }
+    if (!cards.empty())
+        m_lost->addSpacing(20);
 }
 
 void StartPage::setPicture(const QString& file, const QPixmap& picture) {

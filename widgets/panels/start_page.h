@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "panels/lost_card.h"
+
 #include <QPixmap>
 #include <QWidget>
 
@@ -36,6 +38,9 @@ public:
 
     void setRecent(const std::vector<RecentFile>& files);
 
+    /// Shows work that was lost, the first few of it, above the recent files.
+    void setLost(const std::vector<LostCard>& cards);
+
     /// Puts a picture on the card of this sample.
     void setPicture(const QString& file, const QPixmap& picture);
 
@@ -43,6 +48,10 @@ Q_SIGNALS:
     void fileChosen(const QString& file);
     void sampleChosen(const QString& file, const QString& name);
     void clearRecent();
+    /// Lost work is to be opened, given up, or shown where it lies; by its number.
+    void lostChosen(int which);
+    void lostDiscarded(int which);
+    void lostShown(int which);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -56,6 +65,8 @@ private:
 
     QGridLayout* m_grid = nullptr;
     QVBoxLayout* m_recent = nullptr;
+    QVBoxLayout* m_lost = nullptr;
+    std::vector<LostCard> m_lostCards;
     QWidget* m_recentHead = nullptr;
     QLabel* m_clear = nullptr;
     std::vector<QWidget*> m_cards;

@@ -12,23 +12,10 @@ namespace moldwright::scene {
 
 namespace {
 
-constexpr double edge = 12; ///< from the view's border, logical pixels
-
+constexpr double edge = 12;        ///< from the view's border, logical pixels
 constexpr double smallWidth = 420; ///< a view below is small, logical pixels
 constexpr double smallHeight = 330;
 constexpr int mostMarkTexts = 6;
-
-struct Spot {
-    double left;
-    double bottom;
-    double width;
-    double height;
-
-    [[nodiscard]] bool overlaps(const Spot& o) const {
-        return left < o.left + o.width && o.left < left + width && bottom < o.bottom + o.height &&
-               o.bottom < bottom + height;
-    }
-};
 
 } // namespace
 
@@ -50,16 +37,13 @@ void Overlay::lay(OverlayPanel& panel, const PanelContent& content) {
 void Overlay::setColours(const SceneColours& colours, double scale) {
     m_colours = colours;
     m_scale = scale;
+    m_legend.setLook(colours, scale);
     layAll();
     setGrips(m_gripPlaces, m_heldGrip);
     showMarks();
 }
 
 void Overlay::layAll() {
-    PanelContent legend = m_legendContent;
-    if (m_small)
-        legend.lines.clear();
-    lay(m_legend, legend);
     lay(m_state, m_stateContent);
     for (std::size_t i = 0; i < m_chips.size(); ++i)
         lay(*m_chipPanels[i], shownContent(m_chips[i]));
@@ -69,7 +53,8 @@ PanelContent Overlay::shownContent(const Chip& chip) const {
     PanelContent content = chip.content;
     const bool bold =
         !content.lines.empty() && !content.lines[0].runs.empty() && content.lines[0].runs[0].bold;
-    if (chip.mark && !bold && (m_small || m_crowded))
+    // In a small view the rest would lie over the shape, and a first word alone tells nothing.
+    if (!bold && (m_small || (chip.mark && m_crowded)))
         return {};
     if (m_small && !content.lines.empty()) {
         content.lines.resize(1);
@@ -86,10 +71,7 @@ void Overlay::setSmall(bool small) {
 }
 
 void Overlay::setLegend(const PanelContent& content) {
-    if (content == m_legendContent)
-        return;
-    m_legendContent = content;
-    layAll();
+    m_legend.set(content);
 }
 
 void Overlay::setState(const PanelContent& content) {
@@ -148,14 +130,19 @@ void Overlay::setGrips(const std::vector<Eigen::Vector3d>& places, int held) {
     }
 }
 
-void Overlay::arrange(const Camera& camera, ViewSize view) {
+Spot Overlay::stateSpot(ViewSize view) const {
+    const double gap = edge * m_scale;
+    return m_state.visible()
+               ? Spot{gap, view.height - gap - m_state.height(), m_state.width(), m_state.height()}
+               : Spot{};
+}
+
+void Overlay::arrange(const Camera& camera, ViewSize view, const std::optional<Spot>& shape) {
     setSmall(view.width < smallWidth * m_scale || view.height < smallHeight * m_scale);
     const double gap = edge * m_scale;
-    m_legend.moveTo(gap, gap);
+    m_legend.arrange(view, shape);
     m_state.moveTo(gap, view.height - gap - m_state.height());
-    std::vector<Spot> taken = {
-        {gap, gap, m_legend.width(), m_legend.height()},
-        {gap, view.height - gap - m_state.height(), m_state.width(), m_state.height()}};
+    std::vector<Spot> taken = {m_legend.spot(), stateSpot(view)};
     const double side = OrientationCube::side * m_scale;
     const Spot cube{view.width - side, view.height - side, side, side};
     for (std::size_t i = 0; i < m_chips.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "scene/camera.h"
 #include "scene/grip_disc.h"
+#include "scene/legend_panel.h"
 #include "scene/overlay_panel.h"
 
 #include <Eigen/Core>
@@ -25,8 +26,8 @@ struct Chip {
 };
 
 /// What is drawn flat over the scene: legend bottom left, state chip top left, chips at their places (which
-/// give way to each other), and the grips. In a small view the legend keeps its title and a chip its first
-/// word; of many marked chips only the bold ones keep their text.
+/// give way to each other), and the grips. In a small view a chip keeps its first word; of many marked chips
+/// only the bold ones keep their text.
 class Overlay {
 public:
     Overlay();
@@ -44,8 +45,13 @@ public:
     /// The chip whose mark lies within `reach` of the pixel (x, y), y downwards; −1 for none.
     [[nodiscard]] int markAt(const Camera& camera, ViewSize view, double x, double y, double reach) const;
 
-    /// Puts everything in its place for this camera.
-    void arrange(const Camera& camera, ViewSize view);
+    /// Puts everything in its place for this camera. The legend gives way to the place of the shape, where it
+    /// is given.
+    void arrange(const Camera& camera, ViewSize view, const std::optional<Spot>& shape = {});
+
+    [[nodiscard]] const LegendPanel& legend() const { return m_legend; }
+    /// The state chip, pixels.
+    [[nodiscard]] Spot stateSpot(ViewSize view) const;
 
 private:
     void showMarks();
@@ -59,9 +65,8 @@ private:
     double m_scale = 1;
     bool m_small = false;   ///< the view is
     bool m_crowded = false; ///< more marks than can have their text
-    OverlayPanel m_legend;
+    LegendPanel m_legend;
     OverlayPanel m_state;
-    PanelContent m_legendContent;
     PanelContent m_stateContent;
     std::vector<Chip> m_chips;
     std::vector<std::unique_ptr<OverlayPanel>> m_chipPanels;

@@ -29,6 +29,8 @@ constexpr double paddingY = 6;
 constexpr double swatchWidth = 14;
 constexpr double swatchHeight = 11;
 constexpr double valueGap = 24;
+constexpr double rowGap = 12;         ///< between what stands in one row
+constexpr std::size_t fewClasses = 3; ///< have their words each in a row
 
 Rgb inkColour(Ink ink, const SceneColours& colours) {
     switch (ink) {
@@ -89,9 +91,11 @@ void OverlayPanel::clear() {
     m_pieces.clear();
 }
 
-void OverlayPanel::setContent(const PanelContent& content, const SceneColours& colours, double scale) {
+void OverlayPanel::setContent(const PanelContent& content, const SceneColours& colours, double scale,
+                              PanelForm form) {
     clear();
-    m_height = layOut(content, colours, scale);
+    m_height =
+        form == PanelForm::Lines ? layOut(content, colours, scale) : layOutRow(content, colours, scale, form);
     addBackground(colours, scale);
     for (const Piece& piece : m_pieces)
         m_renderer->AddViewProp(piece.actor);
@@ -113,14 +117,8 @@ double OverlayPanel::layOut(const PanelContent& content, const SceneColours& col
     double valueWidth = 0;
     for (const PanelContent::Line& line : content.lines) {
         double x = paddingX * scale;
-        if (line.swatch) {
-            std::vector<std::pair<double, double>> outline =
-                roundedRectangle(swatchWidth * scale, swatchHeight * scale, 2 * scale);
-            addShape(outline, *line.swatch, true, 0, m_pieces.size());
-            m_pieces.back().x = x;
-            m_pieces.back().y = std::round(y + 5 * scale);
-            x += (swatchWidth + 8) * scale;
-        }
+        if (line.swatch)
+            x = addSwatch(*line.swatch, x, y, scale) + 8 * scale;
         for (const PanelContent::Run& run : line.runs)
             x = addText(run, colours, bodySize * scale, x, y + 2 * scale) + 6 * scale;
         widest = std::max(widest, x - 6 * scale);
@@ -138,6 +136,61 @@ double OverlayPanel::layOut(const PanelContent& content, const SceneColours& col
         m_pieces[piece].x = std::round(widest - width);
     m_width = std::ceil(widest + paddingX * scale);
     return height;
+}
+
+double OverlayPanel::layOutRow(const PanelContent& content, const SceneColours& colours, double scale,
+                               PanelForm form) {
+    const double y = paddingY * scale;
+    double x = paddingX * scale;
+    const auto text = [&](const PanelContent::Run& run, double size) {
+        x = addText(run, colours, size * scale, x, y + 2 * scale) + rowGap * scale;
+    };
+    if (!content.title.empty())
+        text({content.title, Ink::Text, true}, titleSize);
+    const auto classes =
+        std::ranges::count_if(content.lines, [](const auto& line) { return line.swatch.has_value(); });
+    for (const PanelContent::Line& line : content.lines) {
+        const bool listed = line.swatch && static_cast<std::size_t>(classes) <= fewClasses;
+        if (form == PanelForm::Title || !(listed || (!line.swatch && form == PanelForm::Row)))
+            continue;
+        if (line.swatch)
+            x = addSwatch(*line.swatch, x, y, scale) + 6 * scale;
+        for (const PanelContent::Run& run : line.runs)
+            text(run, bodySize);
+        if (form == PanelForm::Row && !line.value.empty())
+            text({line.value, Ink::Secondary, false}, bodySize);
+    }
+    if (form != PanelForm::Title && static_cast<std::size_t>(classes) > fewClasses)
+        x = addScale(content, colours, scale, x) + rowGap * scale;
+    m_width = std::ceil(x + (paddingX - rowGap) * scale);
+    return rowHeight * scale;
+}
+
+double OverlayPanel::addScale(const PanelContent& content, const SceneColours& colours, double scale,
+                              double x) {
+    const double y = paddingY * scale;
+    const auto words = [&](const PanelContent::Line& line) {
+        if (!line.runs.empty())
+            x = addText(line.runs.front(), colours, bodySize * scale, x, y + 2 * scale) + 6 * scale;
+    };
+    std::vector<const PanelContent::Line*> classes; // lists begin with the most, scales with the least
+    for (const PanelContent::Line& line : content.lines)
+        if (line.swatch)
+            classes.insert(classes.begin(), &line);
+    words(*classes.front());
+    for (const PanelContent::Line* line : classes)
+        x = addSwatch(*line->swatch, x, y, scale);
+    x += 6 * scale;
+    words(*classes.back());
+    return x - 6 * scale;
+}
+
+double OverlayPanel::addSwatch(Rgb colour, double x, double y, double scale) {
+    addShape(roundedRectangle(swatchWidth * scale, swatchHeight * scale, 2 * scale), colour, true, 0,
+             m_pieces.size());
+    m_pieces.back().x = x;
+    m_pieces.back().y = std::round(y + 5 * scale);
+    return x + swatchWidth * scale;
 }
 
 double OverlayPanel::addText(const PanelContent::Run& run, const SceneColours& colours, double size, double x,

@@ -39,6 +39,10 @@ struct PanelContent {
     bool operator==(const PanelContent&) const = default;
 };
 
+/// How a panel lays its content out: line below line; all in one row, with the swatches as a scale between
+/// the words of its ends; the same without figures and notes; the title alone.
+enum class PanelForm { Lines, Row, ShortRow, Title };
+
 /// A panel-coloured rounded rectangle with text, drawn flat in the view so that pictures hold it too. Sizes
 /// in device pixels; positions count from the lower left corner of the view, as VTK does.
 class OverlayPanel {
@@ -50,8 +54,11 @@ public:
 
     void addTo(vtkRenderer* renderer);
 
+    static constexpr double rowHeight = 32; ///< of a panel with one line, logical pixels
+
     /// Lays the content out for a screen `scale` times as fine as 96 dpi.
-    void setContent(const PanelContent& content, const SceneColours& colours, double scale);
+    void setContent(const PanelContent& content, const SceneColours& colours, double scale,
+                    PanelForm form = PanelForm::Lines);
     void moveTo(double left, double bottom);
     void setVisible(bool visible);
     [[nodiscard]] bool visible() const { return m_visible; }
@@ -69,6 +76,9 @@ private:
     double addText(const PanelContent::Run& run, const SceneColours& colours, double size, double x,
                    double y);
     double layOut(const PanelContent& content, const SceneColours& colours, double scale);
+    double layOutRow(const PanelContent& content, const SceneColours& colours, double scale, PanelForm form);
+    double addScale(const PanelContent& content, const SceneColours& colours, double scale, double x);
+    double addSwatch(Rgb colour, double x, double y, double scale);
     void addShape(std::vector<std::pair<double, double>> outline, Rgb colour, bool filled, double lineWidth,
                   std::size_t place);
     void addBackground(const SceneColours& colours, double scale);

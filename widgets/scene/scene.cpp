@@ -321,7 +321,17 @@ std::vector<Eigen::Vector3d> Scene::outline() const {
     return points;
 }
 
-void Scene::arrange(const Camera& camera, ViewSize view) {
+std::optional<Spot> Scene::shapeSpot(const Camera& camera, ViewSize view) const {
+    if (!m_surface.mesh() || !m_surfaceVisible)
+        return std::nullopt;
+    const Points& points = m_surface.mesh()->bounds();
+    Eigen::AlignedBox2d seen;
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        seen.extend(camera.project(points.row(i).transpose(), view).head<2>());
+    return Spot{seen.min().x(), view.height - seen.max().y(), seen.sizes().x(), seen.sizes().y()};
+}
+
+void Scene::arrange(const Camera& camera, ViewSize view, bool still) {
     drawSlice(std::nullopt);
     vtkCamera* eye = m_back->GetActiveCamera();
     eye->SetParallelProjection(!camera.perspective);
@@ -345,7 +355,7 @@ void Scene::arrange(const Camera& camera, ViewSize view) {
     m_cube.arrange(camera, view);
     m_pins.arrange(camera, view);
     m_features.arrange(camera, view);
-    m_overlay.arrange(camera, view);
+    m_overlay.arrange(camera, view, still ? shapeSpot(camera, view) : std::nullopt);
 }
 
 int Scene::sliceCount() const {

@@ -109,8 +109,12 @@ public:
     void setChips(const std::vector<Chip>& chips) { m_overlay.setChips(chips); }
     [[nodiscard]] const Overlay& overlay() const { return m_overlay; }
 
-    /// Places camera, lights and all that is drawn flat. Call before rendering.
-    void arrange(const Camera& camera, ViewSize view);
+    /// Places camera, lights and all that is drawn flat. Call before rendering. What is drawn flat gives way
+    /// to the shape where that holds `still`.
+    void arrange(const Camera& camera, ViewSize view, bool still = false);
+
+    /// Where the surface is seen; none without one. Pixels.
+    [[nodiscard]] std::optional<Spot> shapeSpot(const Camera& camera, ViewSize view) const;
 
     /// In how many slices the picture can be drawn: one for each block of its surfaces, and one for the rest.
     [[nodiscard]] int sliceCount() const;

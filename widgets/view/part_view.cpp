@@ -51,7 +51,8 @@ void PartView::prepare(int width, int height, bool quick) {
     // Seen-through blocks would show where they meet: such a surface is drawn as a whole or not at all.
     m_scene.useStandIns(m_coarse || (tooSlow() && (m_isMoving || quick || m_scene.seeThrough())));
     m_scene.setSmoothEdges(!(m_isMoving || m_live || quick) || m_restPicture < flowing);
-    m_scene.arrange(m_camera, {static_cast<double>(width), static_cast<double>(height)});
+    m_scene.arrange(m_camera, {static_cast<double>(width), static_cast<double>(height)},
+                    !(m_isMoving || m_live || quick));
 }
 
 bool PartView::drawsInSlices() const {
@@ -128,10 +129,23 @@ scene::Camera PartView::fittedTo(const scene::Camera& camera, std::span<const Ei
     // Discs at the outermost points have a size in pixels: a frame of theirs stays free.
     const scene::ViewSize view = viewSize();
     const double frame = std::min(gripReach * devicePixelRatioF(), std::min(view.width, view.height) / 8);
-    const scene::ViewSize within{view.width - 2 * frame, view.height - 2 * frame};
-    scene::Camera fit = scene::fitted(camera, points, within);
-    fit.distance *= view.height / within.height;
-    return fit;
+    double top = frame;
+    double bottom = frame;
+    const auto fit = [&] {
+        const scene::ViewSize within{view.width - 2 * frame, view.height - top - bottom};
+        scene::Camera fitted = scene::fitted(camera, points, within);
+        fitted.distance *= view.height / within.height;
+        return scene::panned(fitted, 0, (top - bottom) / 2, view);
+    };
+    // Where the shape would lie under the legend's row or the state, it makes room for them.
+    const scene::Overlay& overlay = m_scene.overlay();
+    if (const auto shape = m_scene.shapeSpot(fit(), view)) {
+        if (shape->bottom < overlay.legend().rowRoom())
+            bottom = std::min(overlay.legend().rowRoom(), view.height / 4);
+        if (shape->overlaps(overlay.stateSpot(view)))
+            top = std::min(view.height - overlay.stateSpot(view).bottom + frame / 2, view.height / 4);
+    }
+    return fit();
 }
 
 void PartView::fitAll(bool atOnce) {

@@ -26,6 +26,7 @@ Kernel::Point_3 pointOf(const Eigen::Vector3d& p) {
 
 struct ClosestPoint::Tree {
     std::vector<Triangle> triangles;
+    std::vector<int> faces; ///< that they are
     CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> boxes;
 };
 
@@ -33,8 +34,10 @@ ClosestPoint::ClosestPoint(const IndexedMesh& mesh) : m_tree(std::make_unique<Tr
     for (int f = 0; f < mesh.faceCount(); ++f) {
         const Triangle triangle(pointOf(mesh.corner(f, 0)), pointOf(mesh.corner(f, 1)),
                                 pointOf(mesh.corner(f, 2)));
-        if (!triangle.is_degenerate())
-            m_tree->triangles.push_back(triangle);
+        if (triangle.is_degenerate())
+            continue;
+        m_tree->triangles.push_back(triangle);
+        m_tree->faces.push_back(f);
     }
     m_tree->boxes.insert(m_tree->triangles.cbegin(), m_tree->triangles.cend());
     m_tree->boxes.build();
@@ -47,6 +50,12 @@ ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
 
 double ClosestPoint::distance(const Eigen::Vector3d& p) const {
     return std::sqrt(m_tree->boxes.squared_distance(pointOf(p)));
+}
+
+ClosestPoint::Nearest ClosestPoint::nearest(const Eigen::Vector3d& p) const {
+    const auto [point, triangle] = m_tree->boxes.closest_point_and_primitive(pointOf(p));
+    const auto at = static_cast<std::size_t>(triangle - m_tree->triangles.cbegin());
+    return {m_tree->faces[at], {point.x(), point.y(), point.z()}};
 }
 
 bool ClosestPoint::meets(const IndexedMesh& other, const Eigen::Vector3d& shift) const {
