@@ -169,8 +169,10 @@ bool MoldBuilder::placeOn(const Block& block) {
     const Pull pull = settings.shape == BlockShape::Shell ? Pull::Inwards : Pull::Outwards;
     m_boltPlaces =
         boltPlaces(settings.bolts, block, obstacles, wishes(Placeable::Bolt, settings.bolts.count), pull);
+    // What comes later keeps the bolts' steel to them, where that is more than its own.
+    const double more = std::max(0.0, settings.bolts.clear - settings.leastSteel);
     for (const Vector2d& place : m_boltPlaces)
-        obstacles.push_back(boltOutline(settings.bolts, place, m_grid));
+        obstacles.push_back(boltRoom(settings.bolts, place, more));
     m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel,
                               wishes(Placeable::Slit, settings.slits.count), pull);
     for (const Vector2d& place : m_slitPlaces)

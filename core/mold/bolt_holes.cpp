@@ -51,8 +51,8 @@ std::vector<Vector2d> boltPlaces(const BoltSettings& bolts, const Block& block, 
     return places;
 }
 
-PlanShape boltRoom(const BoltSettings& bolts, const Vector2d& place) {
-    return planCircle(place, cornerRadius(bolts), circleCorners);
+PlanShape boltRoom(const BoltSettings& bolts, const Vector2d& place, double about) {
+    return planCircle(place, cornerRadius(bolts) + about, circleCorners);
 }
 
 PlanShape boltOutline(const BoltSettings& bolts, const Vector2d& place, double grid) {

@@ -14,8 +14,8 @@ namespace moldwright {
                                                       const Obstacles& obstacles, const Wishes& wishes,
                                                       Pull pull);
 
-/// The area that a hole takes, seen along the normal.
-[[nodiscard]] PlanShape boltRoom(const BoltSettings& bolts, const Eigen::Vector2d& place);
+/// The area that a hole takes, seen along the normal, and `about` mm about it.
+[[nodiscard]] PlanShape boltRoom(const BoltSettings& bolts, const Eigen::Vector2d& place, double about = 0);
 
 /// The outline of a hole: corners on the grid, round a circle of the bolt's diameter.
 [[nodiscard]] PlanShape boltOutline(const BoltSettings& bolts, const Eigen::Vector2d& place, double grid);

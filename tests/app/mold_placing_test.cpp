@@ -155,7 +155,7 @@ TEST(MoldPlacing, TheSpoutSlidesAlongItsFaceAndIsRefusedBesideTheCavity) {
     const Vector2d before = rowOf(driver, Placeable::Spout, 0).stands.place;
     dragTo(driver, rowOf(driver, Placeable::Spout, 0), before + Vector2d(300, 0));
     ASSERT_TRUE(driver.waitFor([&] { return !driver.bench().placing().refusal().isEmpty(); }));
-    EXPECT_TRUE(driver.bench().placing().refusal().contains(u"x ="_s));
+    EXPECT_TRUE(driver.bench().placing().refusal().contains(u"from the middle"_s));
     QTest::qWait(100);
     driver.shot("88-plan-refused");
     driver.press("Esc");
