@@ -223,6 +223,8 @@ TEST_F(RecoveryWindow, WhoHasAPartOpenIsToldOnceAndCanOpenItByACommand) {
     driver.program().recovery().look();
     auto* banner = driver.window().findChild<Banner*>();
     ASSERT_TRUE(driver.waitFor([&] { return banner->isVisible(); }));
+    // The command follows with the next events.
+    ASSERT_TRUE(driver.waitFor([&] { return driver.window().actions()[u"recover"_s]->isEnabled(); }));
     driver.shot("63-lost-work-told");
     driver.click("banner-action");
     ASSERT_TRUE(driver.waitIdle());

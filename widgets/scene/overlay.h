@@ -26,8 +26,8 @@ struct Chip {
 };
 
 /// What is drawn flat over the scene: legend bottom left, state chip top left, chips at their places (which
-/// give way to each other), and the grips. In a small view a chip keeps its first word; of many marked chips
-/// only the bold ones keep their text.
+/// give way to each other), and the grips. In a small view a chip keeps its first word where that is bold; of
+/// many marked chips only the bold ones keep their text.
 class Overlay {
 public:
     Overlay();
