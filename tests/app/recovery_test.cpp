@@ -162,6 +162,7 @@ TEST_F(RecoveryWindow, NothingIsLeftAfterASaveOrAnOrderlyEnd) {
         driver.answerFileDialog(file(u"saved.moldwright"_s));
         driver.press("Ctrl+S");
         EXPECT_TRUE(driver.waitFor([&] { return foldersLeft().isEmpty(); }));
+        ASSERT_TRUE(driver.waitIdle()); // the command waits for the end of saving
         driver.window().actions()[u"turn-x"_s]->trigger();
         ASSERT_TRUE(waitAside(driver));
         EXPECT_EQ(foldersLeft().size(), 1);
