@@ -27,7 +27,7 @@ void DesignRun::takeSettings(const DesignRun& other) {
 }
 
 bool DesignRun::hear(bool inPlace) {
-    if (!live() || m_leg->next)
+    if (!live() || m_leg->next || stopped())
         return false;
     const std::optional<LiveSettings> newest = m_request.newest();
     if (!newest || *newest == m_leg->heard)

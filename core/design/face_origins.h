@@ -16,7 +16,6 @@ public:
     /// `before`: n×3, mm: where each point of `shape` was before it was bent.
     FaceOrigins(SharedMesh part, SharedMesh shape, std::shared_ptr<const Points> before);
 
-    [[nodiscard]] const SharedMesh& part() const { return m_part; }
     /// Whether they are those of this shape too: one with the same faces, of points that were at the same
     /// places.
     [[nodiscard]] bool areOf(const SharedMesh& part, const IndexedMesh& shape, const Points& before) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
 namespace moldwright {
@@ -75,7 +76,9 @@ Result<DesignResult> Legs::runToItsEnd(std::size_t number) {
     Result<DesignResult> result = wholeRun();
     // A shape bent for one plane may be in the way of itself at another: then the part itself is bent there.
     if (leg.points && !leg.run.next() && !m_task.stopped() && !(result && result->cast)) {
+        const std::map<std::string, double> spent = leg.run.seconds();
         leg.run = runOf(number, leg.run.request(), nullptr);
+        leg.run.seconds() = spent;
         leg.points = nullptr;
         leg.begunAnew = true;
         result = wholeRun();

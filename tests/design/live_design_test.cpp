@@ -155,6 +155,29 @@ TEST(LiveDesign, WhatIsChangedWhileAnotherPlaneIsMadeReadyCountsToo) {
     EXPECT_EQ(result->settings.draftDegrees, 3);
 }
 
+TEST(LiveDesign, WhatIsChangedAfterTheStopDoesNotCostTheShapeReached) {
+    const PartingPlane other{Eigen::Vector3d(0.15, 0.1, 1).normalized(), 0.8};
+    DesignRequest request = level();
+    request.keepUnfinished = true;
+    const LiveSettings live = request;
+    const Task task;
+    request.newest = [&]() -> std::optional<LiveSettings> {
+        if (!task.stopped())
+            return std::nullopt;
+        LiveSettings changed = live;
+        changed.plane = other;
+        return changed;
+    };
+    const Result<DesignResult> result = design(request, task, [&](const DesignFrame& frame) {
+        if (frame.step == kEarly)
+            task.cancel();
+    });
+    ASSERT_TRUE(result) << result.error().english();
+    EXPECT_TRUE(result->cutShort);
+    ASSERT_TRUE(result->cast);
+    EXPECT_EQ(result->settings.plane, live.plane);
+}
+
 TEST(LiveDesign, APinSetMeanwhileEndsInThePlane) {
     const Eigen::Vector3d tip(17, 2.3, 3.5);
     const Result<DesignResult> result =
