@@ -15,17 +15,11 @@ struct CleanUpGoal {
 
 /// Mends the faces that a smooth motion cannot mend, by flips and collapses of their edges (OpenMesh), or
 /// where neither helps by moving one of their points to its best place. A change is made only where the worst
-/// draft of the faces around it rises, or, for the short and the thin, does not fall below τ or where it was.
-/// The parting line stays simple: no collapse sweeps it over one of its points, leaves a loop of three, lays
-/// a face into the plane, or flips an edge between labels. Where points are removed others take their places;
-/// sourceVertex follows. Returns the number of changes made.
+/// draft of the faces around it rises, or fewer of them miss it and it does not fall, or, for the short and
+/// the thin, where it does not fall below τ or where it was. The parting line stays simple: no collapse
+/// sweeps it over one of its points, leaves a loop of three, lays a face into the plane, or flips an edge
+/// between labels. Where points are removed others take their places; sourceVertex follows. Returns the
+/// number of changes made.
 int cleanUp(LabelledSurface& surface, const CleanUpGoal& goal);
-
-/// Frees the faces below τ that neither motion nor cleanUp() can mend: a crack in the parting line, a tent
-/// over a fold, where every single change makes matters worse. Tries each collapse that the parting line
-/// allows about such a face, lets cleanUp()'s changes follow it, and keeps the sequence that leaves the
-/// fewest faces below τ, if they are fewer. Takes a moment for each such face: for when they are few. Returns
-/// the number of changes.
-int dislodge(LabelledSurface& surface, const CleanUpGoal& goal);
 
 } // namespace moldwright

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "deformation/finish.h"
 
+#include "deformation/dislodge.h"
 #include "deformation/finish_region.h"
 #include "deformation/side_hinge.h"
 #include "mesh/measures.h"
@@ -16,7 +17,7 @@ constexpr double kAimHigher = 1.0;  ///< degrees above the required draft
 constexpr double kEnough = 0.2;     ///< degrees above the required draft that end the finish
 constexpr double kAreaFloor = 0.01; ///< of the mean face area: slivers must count too
 constexpr double kMany = 0.02;      ///< of the faces: more are worked on all together
-constexpr int kFew = 30;            ///< faces left over that are dislodged one by one
+constexpr int kFew = 100;           ///< faces left over that are dislodged one by one
 constexpr int kRings = 6;           ///< of faces about those that need work
 constexpr int kIterations = 100;
 constexpr std::size_t kStalledRounds = 3; ///< without fewer violations: what is left is stuck

@@ -5,6 +5,9 @@
 #include "mesh/triangle_mesh.h"
 
 #include <array>
+#include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace moldwright {
@@ -16,8 +19,10 @@ struct LabelledSurface {
     std::vector<int> sourceVertex; ///< per point: which point it was before any clean-up
 };
 
+struct LabelledPatch;
+
 /// A labelled surface with topology (OpenMesh), and what may be done to its edges without spoiling the
-/// parting line.
+/// parting line. It is closed, or a patch of a closed one, whose rim stays as it is.
 class LabelledMesh {
 public:
     using Vertex = TriangleMesh::VertexHandle;
@@ -38,6 +43,13 @@ public:
     [[nodiscard]] bool onCurve(Edge e) const;
     [[nodiscard]] bool onCurve(Vertex v) const;
     [[nodiscard]] bool onPlane(Vertex v) const { return m_mesh.point(v).z() == 0; }
+    [[nodiscard]] bool onRim(Vertex v) const { return m_mesh.is_boundary(v); }
+
+    /// The faces within `rings` rings of v, ascending.
+    [[nodiscard]] std::vector<Face> facesAbout(Vertex v, int rings) const;
+
+    /// A copy of these faces alone, to try changes on; none where they do not hang together as a surface.
+    [[nodiscard]] std::optional<LabelledPatch> patchAbout(Vertex v, int rings) const;
 
     /// May the edge be flipped? Not on the line, and not where a face would lie in the plane.
     [[nodiscard]] bool mayFlip(Edge e);
@@ -53,11 +65,25 @@ public:
 private:
     [[nodiscard]] bool lineAllows(Halfedge h) const;
     [[nodiscard]] bool loopIsShort(Vertex p, Vertex q) const;
+    [[nodiscard]] LabelledSurface surfaceOf(const std::vector<Face>& faces, const std::vector<Vertex>& points,
+                                            const std::map<Vertex, Vertex>& copy) const;
+    [[nodiscard]] std::vector<Eigen::Vector2d> lineBeyond(const LabelledPatch& patch) const;
 
     TriangleMesh m_mesh;
     OpenMesh::FPropHandleT<std::uint8_t> m_label;
     OpenMesh::VPropHandleT<int> m_source;
     std::vector<Vertex> m_curvePoints;
+    std::shared_ptr<const std::vector<Eigen::Vector2d>> m_lineBeyond; ///< of a patch: the line's other points
+};
+
+/// A part of a surface, copied, and where its points come from.
+struct LabelledPatch {
+    LabelledMesh mesh;
+    std::vector<LabelledMesh::Vertex> origin;                  ///< per point of the patch
+    std::map<LabelledMesh::Vertex, LabelledMesh::Vertex> copy; ///< of each point that it has
+
+    /// The copy of v; invalid where v is beyond the patch.
+    [[nodiscard]] LabelledMesh::Vertex at(LabelledMesh::Vertex v) const;
 };
 
 } // namespace moldwright

@@ -68,23 +68,6 @@ LabelledSurface ballWithAFold() {
     return surface;
 }
 
-/// All points pushed about at random, each on its side, those of the parting line within the plane.
-LabelledSurface shakenBall(unsigned seed, double by) {
-    LabelledSurface surface = test::labelledBall(3);
-    std::srand(seed); // of Eigen's Random()
-    Points shake = by * Points::Random(surface.mesh.V.rows(), 3);
-    for (int v = 0; v < surface.mesh.vertexCount(); ++v) {
-        const double most = std::abs(surface.mesh.V(v, 2)) / 2;
-        shake(v, 2) = std::clamp(shake(v, 2), -most, most);
-    }
-    surface.mesh.V += shake;
-    return surface;
-}
-
-int facesShort(const LabelledSurface& surface) {
-    return sideDraft(surface.mesh.F, surface.labels, {}, surface.mesh.V, kTau).violating;
-}
-
 /// A point pushed nearly onto its neighbour: two needles between them.
 LabelledSurface ballWithNeedles() {
     LabelledSurface surface = test::labelledBall(3);
@@ -142,30 +125,4 @@ TEST(CleanUp, KeepsTheSurfaceSoundHoweverShaken) {
         EXPECT_GT(cleanUp(surface, {{}, std::sin(radians(3)), 0.01, 0.01}), 0);
         expectSound(surface, before);
     }
-}
-
-TEST(Dislodge, FreesWhatNoSingleChangeFrees) {
-    const CleanUpGoal goal{{}, kTau, 0, 0};
-    int stuckBefore = 0;
-    int stuckAfter = 0;
-    for (unsigned seed = 1; seed <= 40; ++seed) {
-        LabelledSurface surface = shakenBall(seed, 0.05);
-        if (!test::soundlyParted(surface))
-            continue;
-        while (cleanUp(surface, goal) > 0)
-            ;
-        const LabelledSurface before = surface;
-        const int changes = dislodge(surface, goal);
-        EXPECT_EQ(changes > 0, facesShort(surface) < facesShort(before));
-        EXPECT_TRUE(test::soundlyParted(surface));
-        stuckBefore += facesShort(before);
-        stuckAfter += facesShort(surface);
-    }
-    EXPECT_GT(stuckBefore, 2);
-    EXPECT_LT(2 * stuckAfter, stuckBefore);
-}
-
-TEST(Dislodge, LeavesASoundSurfaceAlone) {
-    LabelledSurface surface = test::labelledBall(3);
-    EXPECT_EQ(dislodge(surface, {{}, kTau, 0, 0}), 0);
 }
