@@ -138,7 +138,7 @@ void MoldOptions::declareChannels(CLI::App& app) {
 }
 
 void MoldOptions::declareRegistration(CLI::App& app) {
-    app.add_option("--keys", keys, "Registration keys")->type_name("N")->check(CLI::Range(0, 8));
+    app.add_option("--keys", keys, "Registration keys")->type_name("N")->check(CLI::Range(0, 12));
     length(app, "--key-diameter", keyDiameter, "At the parting plane; one is larger");
     length(app, "--key-height", keyHeight, "Of the keys");
     length(app, "--key-clearance", keyClearance, "Between key and socket");
@@ -152,7 +152,7 @@ void MoldOptions::declareRegistration(CLI::App& app) {
 void MoldOptions::declareHoles(CLI::App& app) {
     app.add_option("--bolts", bolts, "Straight holes through both halves")
         ->type_name("N")
-        ->check(CLI::Range(0, 8));
+        ->check(CLI::Range(0, 12));
     length(app, "--bolt-diameter", boltDiameter, "Of the holes");
     // Shop practice: 1 mm of steel at least.
     app.add_option("--bolt-wall", boltWall, "Steel between bolt holes and the block's faces, 1 or more")
