@@ -177,7 +177,7 @@ TEST_F(MoldCommands, CavitiesStandOnACircleOrWhereTheyArePut) {
     ASSERT_EQ(cavities.size(), 2U);
     EXPECT_NEAR(cavities[1]["turn_deg"].get<double>(), 90, 1e-9);
     EXPECT_NEAR(cavities[1]["place"][0].get<double>() - cavities[0]["place"][0].get<double>(), 40, 0.01);
-    EXPECT_EQ(built({"--cavity-places", "0,0; 12,0"}).exitCode, 4);
+    EXPECT_EQ(built({"--cavity-places", "0,0; 11,0"}).exitCode, 4);
     EXPECT_EQ(built({"--cavity-places", "0,0; 40"}).exitCode, 2);
     EXPECT_EQ(built({"--cavity-places", "0,0", "--cavities", "2"}).exitCode, 2);
 }
