@@ -1184,6 +1184,14 @@
         <source>{0}: entry {1} puts a feature to another place than an entry before it.</source>
         <translation>{0}: Eintrag {1} setzt ein Element an einen anderen Ort als ein früherer Eintrag.</translation>
     </message>
+    <message>
+        <source>&quot;{0}&quot; is no place of a cavity: write x, y and, if it is turned, an angle in degrees; a semicolon between places.</source>
+        <translation>„{0}“ ist kein Platz einer Kavität: Schreiben Sie x, y und, wenn sie gedreht ist, einen Winkel in Grad; zwischen Plätzen ein Semikolon.</translation>
+    </message>
+    <message>
+        <source>The place of cavity {0} needs &quot;at&quot; with two numbers, mm.</source>
+        <translation>Der Platz von Kavität {0} braucht „at“ mit zwei Zahlen, mm.</translation>
+    </message>
 </context>
 <context>
     <name>ImportancePages</name>
@@ -1498,6 +1506,30 @@
         <source>The block&apos;s outer faces meet before its back: take less draft.</source>
         <translation>Die Außenflächen des Blocks treffen sich vor seiner Rückseite: weniger Schräge nehmen.</translation>
     </message>
+    <message>
+        <source>Every second cavity can be another one in rows only, not on a circle or in a free layout.</source>
+        <translation>Jede zweite Kavität kann nur in Reihen eine andere sein, nicht auf einem Kreis oder in freier Anordnung.</translation>
+    </message>
+    <message>
+        <source>On a circle each cavity is filled at one place, from the middle. This cast is of {0} solids: arrange it in rows, or fill it through half 1.</source>
+        <translation>Auf einem Kreis wird jede Kavität an einer Stelle gefüllt, von der Mitte aus. Dieser Guss hat {0} Körper: ordnen Sie ihn in Reihen an, oder füllen Sie ihn durch Hälfte 1.</translation>
+    </message>
+    <message>
+        <source>Cavities {0} and {1} stand {2} mm apart; {3} mm of steel are asked for between them.</source>
+        <translation>Die Kavitäten {0} und {1} stehen {2} mm auseinander; zwischen ihnen sind {3} mm Stahl verlangt.</translation>
+    </message>
+    <message>
+        <source>The spout of cavity {0} passes too near to cavity {1} or its spout. Move one of them, or fill them through half 1.</source>
+        <translation>Der Einguss von Kavität {0} verläuft zu nah an Kavität {1} oder deren Einguss. Verschieben Sie eine davon, oder füllen Sie durch Hälfte 1.</translation>
+    </message>
+    <message>
+        <source>A free layout needs at least one place for a cavity.</source>
+        <translation>Eine freie Anordnung braucht mindestens einen Platz für eine Kavität.</translation>
+    </message>
+    <message>
+        <source>Cavity {0} cannot be turned by {1}°: its faces would leave with {2}°, {3}° are required. Turned copies need removal directions normal to the plane.</source>
+        <translation>Kavität {0} kann nicht um {1}° gedreht werden: Ihre Flächen kämen mit {2}° heraus, verlangt sind {3}°. Gedrehte Kopien brauchen Entformungsrichtungen senkrecht zur Ebene.</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -1619,10 +1651,6 @@
     <message>
         <source>Arrangement</source>
         <translation>Anordnung</translation>
-    </message>
-    <message>
-        <source>How rows lie to each other. Packed: as close as the outlines allow.</source>
-        <translation>Wie die Reihen zueinander liegen. Dicht: so eng, wie die Umrisse erlauben.</translation>
     </message>
     <message>
         <source>Grid</source>
@@ -1903,6 +1931,26 @@
     <message>
         <source>In the parting plane, both halves together; 0: as their width asks.</source>
         <translation>In der Trennebene, beide Hälften zusammen; 0: wie es die Breite verlangt.</translation>
+    </message>
+    <message>
+        <source>How rows lie to each other. Packed: as close as the outlines allow. Circle: about a spout in their middle, each filled over a way of the same length. Free: at the places given.</source>
+        <translation>Wie die Reihen zueinander liegen. Dicht: so eng, wie die Umrisse erlauben. Kreis: um einen Einguss in der Mitte, jede über einen gleich langen Weg gefüllt. Frei: an den angegebenen Plätzen.</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Plätze</translation>
+    </message>
+    <message>
+        <source>Of a free layout: x and y of each cavity in mm and how far it is turned in degrees; a semicolon between cavities.</source>
+        <translation>Bei freier Anordnung: x und y jeder Kavität in mm und ihre Drehung in Grad; zwischen Kavitäten ein Semikolon.</translation>
     </message>
 </context>
 <context>

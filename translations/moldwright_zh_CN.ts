@@ -1184,6 +1184,14 @@
         <source>{0}: entry {1} puts a feature to another place than an entry before it.</source>
         <translation>{0}：条目 {1} 将一个特征放到与之前条目不同的位置。</translation>
     </message>
+    <message>
+        <source>&quot;{0}&quot; is no place of a cavity: write x, y and, if it is turned, an angle in degrees; a semicolon between places.</source>
+        <translation>“{0}”不是型腔位置：请写 x、y，如有旋转再写角度（度）；位置之间用分号。</translation>
+    </message>
+    <message>
+        <source>The place of cavity {0} needs &quot;at&quot; with two numbers, mm.</source>
+        <translation>型腔 {0} 的位置需要 &quot;at&quot;，含两个数字，单位 mm。</translation>
+    </message>
 </context>
 <context>
     <name>ImportancePages</name>
@@ -1498,6 +1506,30 @@
         <source>The block&apos;s outer faces meet before its back: take less draft.</source>
         <translation>模块外壁在到达背面之前相交：请减小拔模角。</translation>
     </message>
+    <message>
+        <source>Every second cavity can be another one in rows only, not on a circle or in a free layout.</source>
+        <translation>只有成行排列时才能让每第二个型腔不同；圆形或自由排列时不行。</translation>
+    </message>
+    <message>
+        <source>On a circle each cavity is filled at one place, from the middle. This cast is of {0} solids: arrange it in rows, or fill it through half 1.</source>
+        <translation>在圆形排列中，每个型腔只从中心的一处充填。此铸件由 {0} 个实体组成：请成行排列，或经半模 1 充填。</translation>
+    </message>
+    <message>
+        <source>Cavities {0} and {1} stand {2} mm apart; {3} mm of steel are asked for between them.</source>
+        <translation>型腔 {0} 与 {1} 相距 {2} mm；其间要求 {3} mm 的壁厚。</translation>
+    </message>
+    <message>
+        <source>The spout of cavity {0} passes too near to cavity {1} or its spout. Move one of them, or fill them through half 1.</source>
+        <translation>型腔 {0} 的浇口离型腔 {1} 或其浇口太近。请移动其中之一，或经半模 1 充填。</translation>
+    </message>
+    <message>
+        <source>A free layout needs at least one place for a cavity.</source>
+        <translation>自由排列至少需要一个型腔位置。</translation>
+    </message>
+    <message>
+        <source>Cavity {0} cannot be turned by {1}°: its faces would leave with {2}°, {3}° are required. Turned copies need removal directions normal to the plane.</source>
+        <translation>型腔 {0} 不能旋转 {1}°：其表面将只有 {2}° 的拔模角，要求 {3}°。旋转的副本需要垂直于分型面的脱模方向。</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -1619,10 +1651,6 @@
     <message>
         <source>Arrangement</source>
         <translation>排列</translation>
-    </message>
-    <message>
-        <source>How rows lie to each other. Packed: as close as the outlines allow.</source>
-        <translation>各行的相对位置。紧密：按轮廓允许的最近距离。</translation>
     </message>
     <message>
         <source>Grid</source>
@@ -1903,6 +1931,26 @@
     <message>
         <source>In the parting plane, both halves together; 0: as their width asks.</source>
         <translation>在分型面上，两半合计；0：按宽度确定。</translation>
+    </message>
+    <message>
+        <source>How rows lie to each other. Packed: as close as the outlines allow. Circle: about a spout in their middle, each filled over a way of the same length. Free: at the places given.</source>
+        <translation>各行的相对位置。紧密：按轮廓允许的最近距离。圆形：围绕中心浇口，各型腔的流道等长。自由：在给定位置。</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>圆形</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Of a free layout: x and y of each cavity in mm and how far it is turned in degrees; a semicolon between cavities.</source>
+        <translation>自由排列：每个型腔的 x 和 y（mm）及旋转角度（度）；型腔之间用分号。</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "cli/mold_options.h"
 
 #include "exchange/user_folder.h"
+#include "project/cavity_places.h"
 #include "project/guide_files.h"
 #include "project/presets.h"
 
@@ -28,6 +29,14 @@ CLI::Option* length(CLI::App& app, const std::string& name, std::optional<double
 CLI::Option* angle(CLI::App& app, const std::string& name, std::optional<double>& value,
                    const std::string& help) {
     return app.add_option(name, value, help)->type_name("DEG")->check(CLI::Range(0.0, 45.0));
+}
+
+constexpr std::size_t mostCavities = 400;
+
+std::unexpected<Error> tooMany() {
+    return failure(ErrorCode::Usage,
+                   MW_TEXT("cli", "--cavities takes rows x columns, as 2x3, with at most {0} cavities."),
+                   {std::to_string(mostCavities)});
 }
 
 } // namespace
@@ -85,7 +94,12 @@ void MoldOptions::declareBlock(CLI::App& app) {
 void MoldOptions::declareLayout(CLI::App& app) {
     app.add_option("--cavities", cavities, "Rows x columns of cavities, or their number")->type_name("RxC");
     app.add_option("--layout", arrangement, "How they stand")
-        ->check(CLI::IsMember({"grid", "staggered", "packed"}));
+        ->check(CLI::IsMember({"grid", "staggered", "packed", "circle", "free"}));
+    app.add_option(
+           "--cavity-places", cavityPlaces,
+           "Where cavities stand and how far each is turned, mm and degrees: \"0,0; 40,5,90\"; a free "
+           "layout")
+        ->type_name("X,Y[,DEG];...");
     app.add_option("--alternate", alternate, "Every second cavity turned, turned over, or mirrored")
         ->check(CLI::IsMember({"none", "turn", "flip", "mirror"}));
     length(app, "--spacing", spacing, "Steel between cavities, and between them and channels");
@@ -124,7 +138,7 @@ void MoldOptions::declareChannels(CLI::App& app) {
 }
 
 void MoldOptions::declareRegistration(CLI::App& app) {
-    app.add_option("--keys", keys, "Registration keys")->type_name("N")->check(CLI::Range(0, 8));
+    app.add_option("--keys", keys, "Registration keys")->type_name("N")->check(CLI::Range(0, 12));
     length(app, "--key-diameter", keyDiameter, "At the parting plane; one is larger");
     length(app, "--key-height", keyHeight, "Of the keys");
     length(app, "--key-clearance", keyClearance, "Between key and socket");
@@ -138,7 +152,7 @@ void MoldOptions::declareRegistration(CLI::App& app) {
 void MoldOptions::declareHoles(CLI::App& app) {
     app.add_option("--bolts", bolts, "Straight holes through both halves")
         ->type_name("N")
-        ->check(CLI::Range(0, 8));
+        ->check(CLI::Range(0, 12));
     length(app, "--bolt-diameter", boltDiameter, "Of the holes");
     // Shop practice: 1 mm of steel at least.
     app.add_option("--bolt-wall", boltWall, "Steel between bolt holes and the block's faces, 1 or more")
@@ -207,8 +221,11 @@ void MoldOptions::applyBlock(MoldSettings& settings) const {
 }
 
 Result<void> MoldOptions::applyLayout(LayoutSettings& layout) const {
-    static const std::map<std::string, Arrangement> arrangements = {
-        {"grid", Arrangement::Grid}, {"staggered", Arrangement::Staggered}, {"packed", Arrangement::Packed}};
+    static const std::map<std::string, Arrangement> arrangements = {{"grid", Arrangement::Grid},
+                                                                    {"staggered", Arrangement::Staggered},
+                                                                    {"packed", Arrangement::Packed},
+                                                                    {"circle", Arrangement::Circle},
+                                                                    {"free", Arrangement::Free}};
     static const std::map<std::string, Alternation> alternations = {{"none", Alternation::None},
                                                                     {"turn", Alternation::Turn},
                                                                     {"flip", Alternation::Flip},
@@ -218,9 +235,30 @@ Result<void> MoldOptions::applyLayout(LayoutSettings& layout) const {
     if (!alternate.empty())
         layout.alternation = alternations.at(alternate);
     take(layout.spacing, spacing);
-    if (cavities.empty())
-        return {};
-    constexpr int most = 400;
+    if (Result<void> done = applyCavityPlaces(layout); !done)
+        return done;
+    return cavities.empty() ? Result<void>() : applyCavities(layout);
+}
+
+Result<void> MoldOptions::applyCavityPlaces(LayoutSettings& layout) const {
+    if (!cavityPlaces.empty()) {
+        Result<std::vector<CavityPlace>> read = cavityPlacesOf(cavityPlaces);
+        if (!read)
+            return failure(ErrorCode::Usage, read.error().message.text, read.error().message.arguments);
+        layout.places = *std::move(read);
+        if (arrangement.empty())
+            layout.arrangement = Arrangement::Free;
+    }
+    if (layout.places.size() > mostCavities)
+        return tooMany();
+    if (layout.arrangement == Arrangement::Free && !cavities.empty())
+        return failure(ErrorCode::Usage,
+                       MW_TEXT("cli", "In a free layout there are as many cavities as --cavity-places has; "
+                                      "--cavities does not go with it."));
+    return {};
+}
+
+Result<void> MoldOptions::applyCavities(LayoutSettings& layout) const {
     int rows = 1;
     int columns = 0;
     const char* end = cavities.data() + cavities.size();
@@ -229,10 +267,9 @@ Result<void> MoldOptions::applyLayout(LayoutSettings& layout) const {
         rows = columns;
         read = std::from_chars(read.ptr + 1, end, columns);
     }
-    if (read.ec != std::errc() || read.ptr != end || rows < 1 || columns < 1 || rows > most / columns)
-        return failure(ErrorCode::Usage,
-                       MW_TEXT("cli", "--cavities takes rows x columns, as 2x3, with at most {0} cavities."),
-                       {std::to_string(most)});
+    if (read.ec != std::errc() || read.ptr != end || rows < 1 || columns < 1 ||
+        rows > static_cast<int>(mostCavities) / columns)
+        return tooMany();
     layout.rows = rows;
     layout.columns = columns;
     return {};

@@ -29,6 +29,8 @@ private:
     void declareRegistration(CLI::App& app);
     void declareHoles(CLI::App& app);
     [[nodiscard]] Result<void> applyLayout(LayoutSettings& layout) const;
+    [[nodiscard]] Result<void> applyCavityPlaces(LayoutSettings& layout) const;
+    [[nodiscard]] Result<void> applyCavities(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyShrink(ShrinkSettings& shrink) const;
     [[nodiscard]] Result<void> applyPlaces(PlacedFeatures& placed) const;
     [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;
@@ -44,7 +46,7 @@ private:
     std::optional<double> press;
     std::vector<double> stock, bed;
     std::string block;
-    std::string cavities, arrangement, alternate, places;
+    std::string cavities, arrangement, alternate, cavityPlaces, places;
     std::optional<double> spacing;
     std::vector<double> shrink, shrinkOrigin;
     std::string shrinkFormula;

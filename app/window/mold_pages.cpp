@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/mold_pages.h"
 
+#include "project/cavity_places.h"
 #include "project/edits.h"
 #include "window/action_table.h"
 #include "window/preset_choice.h"
@@ -127,43 +128,60 @@ FieldSection machineFields() {
 FieldSection cavityFields() {
     const NumberProperty upTo{{}, 1, 12, 1, 0, false};
     const NumberProperty shrinkRange{u"%"_s, -5, 20, 0.1, 2, false};
-    return {Words::tr("Cavities"),
-            {numberField(u"columns"_s, Words::tr("Side by side"), Words::tr("Cavities in a row."), upTo,
-                         [](MoldSettings& mold) -> int& { return mold.layout.columns; }),
-             numberField(u"rows"_s, Words::tr("Rows"), Words::tr("Rows of cavities."), upTo,
-                         [](MoldSettings& mold) -> int& { return mold.layout.rows; }),
-             {{u"arrangement"_s, Words::tr("Arrangement"),
-               Words::tr("How rows lie to each other. Packed: as close as the outlines allow."),
-               ChoiceProperty{{Words::tr("Grid"), Words::tr("Staggered"), Words::tr("Packed")}}},
-              [](const MoldSettings& mold) { return static_cast<double>(mold.layout.arrangement); },
-              [](MoldSettings& mold, const QVariant& value) {
-                  mold.layout.arrangement = static_cast<Arrangement>(value.toInt());
-              }},
-             numberField(u"spacing"_s, Words::tr("Steel between"),
-                         Words::tr("Between cavities, and between them and channels."), millimetres(1, 50),
-                         [](MoldSettings& mold) -> double& { return mold.layout.spacing; }),
-             {{u"shrink"_s, Words::tr("Shrink"),
-               Words::tr("By how much the material shrinks; the cavity is made larger by it. The same along "
-                         "all axes of the part until y or z differ, then along x. Less than 0: it expands."),
-               shrinkRange},
-              [](const MoldSettings& mold) { return mold.shrink.percent.x(); },
-              [](MoldSettings& mold, const QVariant& value) {
-                  Eigen::Vector3d& percent = mold.shrink.percent;
-                  const bool asOne = percent.y() == percent.x() && percent.z() == percent.x();
-                  percent = asOne ? Eigen::Vector3d::Constant(value.toDouble())
-                                  : Eigen::Vector3d(value.toDouble(), percent.y(), percent.z());
-              }},
-             numberField(u"shrink-y"_s, Words::tr("Along y"), Words::tr("Shrink along y of the part."),
-                         shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.y(); }),
-             numberField(u"shrink-z"_s, Words::tr("Along z"), Words::tr("Shrink along z of the part."),
-                         shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.z(); }),
-             {{u"shrink-formula"_s, Words::tr("Made larger by"),
-               Words::tr("Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which."),
-               ChoiceProperty{{u"1 + S"_s, u"1 / (1 − S)"_s}}},
-              [](const MoldSettings& mold) { return static_cast<double>(mold.shrink.formula); },
-              [](MoldSettings& mold, const QVariant& value) {
-                  mold.shrink.formula = value.toInt() == 0 ? ShrinkFormula::Plus : ShrinkFormula::Divide;
-              }}}};
+    return {
+        Words::tr("Cavities"),
+        {numberField(u"columns"_s, Words::tr("Side by side"), Words::tr("Cavities in a row."), upTo,
+                     [](MoldSettings& mold) -> int& { return mold.layout.columns; }),
+         numberField(u"rows"_s, Words::tr("Rows"), Words::tr("Rows of cavities."), upTo,
+                     [](MoldSettings& mold) -> int& { return mold.layout.rows; }),
+         {{u"arrangement"_s, Words::tr("Arrangement"),
+           Words::tr("How rows lie to each other. Packed: as close as the outlines allow. Circle: about a "
+                     "spout in their middle, each filled over a way of the same length. Free: at the places "
+                     "given."),
+           ChoiceProperty{{Words::tr("Grid"), Words::tr("Staggered"), Words::tr("Packed"),
+                           Words::tr("Circle"), Words::tr("Free")}}},
+          [](const MoldSettings& mold) { return static_cast<double>(mold.layout.arrangement); },
+          [](MoldSettings& mold, const QVariant& value) {
+              mold.layout.arrangement = static_cast<Arrangement>(value.toInt());
+              if (mold.layout.arrangement == Arrangement::Free && mold.layout.places.empty())
+                  mold.layout.places = {{}};
+          }},
+         {{u"places"_s, Words::tr("Places"),
+           Words::tr("Of a free layout: x and y of each cavity in mm and how far it is turned in degrees; a "
+                     "semicolon between cavities."),
+           TextProperty{u"0, 0; 60, 0, 90"_s}},
+          [](const MoldSettings& mold) {
+              return QString::fromStdString(cavityPlacesText(mold.layout.places));
+          },
+          [](MoldSettings& mold, const QVariant& value) {
+              if (const auto places = cavityPlacesOf(value.toString().toStdString()))
+                  mold.layout.places = *places;
+          }},
+         numberField(u"spacing"_s, Words::tr("Steel between"),
+                     Words::tr("Between cavities, and between them and channels."), millimetres(1, 50),
+                     [](MoldSettings& mold) -> double& { return mold.layout.spacing; }),
+         {{u"shrink"_s, Words::tr("Shrink"),
+           Words::tr("By how much the material shrinks; the cavity is made larger by it. The same along "
+                     "all axes of the part until y or z differ, then along x. Less than 0: it expands."),
+           shrinkRange},
+          [](const MoldSettings& mold) { return mold.shrink.percent.x(); },
+          [](MoldSettings& mold, const QVariant& value) {
+              Eigen::Vector3d& percent = mold.shrink.percent;
+              const bool asOne = percent.y() == percent.x() && percent.z() == percent.x();
+              percent = asOne ? Eigen::Vector3d::Constant(value.toDouble())
+                              : Eigen::Vector3d(value.toDouble(), percent.y(), percent.z());
+          }},
+         numberField(u"shrink-y"_s, Words::tr("Along y"), Words::tr("Shrink along y of the part."),
+                     shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.y(); }),
+         numberField(u"shrink-z"_s, Words::tr("Along z"), Words::tr("Shrink along z of the part."),
+                     shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.z(); }),
+         {{u"shrink-formula"_s, Words::tr("Made larger by"),
+           Words::tr("Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which."),
+           ChoiceProperty{{u"1 + S"_s, u"1 / (1 − S)"_s}}},
+          [](const MoldSettings& mold) { return static_cast<double>(mold.shrink.formula); },
+          [](MoldSettings& mold, const QVariant& value) {
+              mold.shrink.formula = value.toInt() == 0 ? ShrinkFormula::Plus : ShrinkFormula::Divide;
+          }}}};
 }
 
 FieldSection fillingFields() {

@@ -215,6 +215,13 @@ Vector3d DraftedPrism::top(int side, std::size_t k) const {
     return {lid[i][k].x(), lid[i][k].y(), side == 1 ? height[0] : -height[1]};
 }
 
+DraftedPrism movedPrism(DraftedPrism prism, const Vector2d& by) {
+    prism.base = movedPlan(std::move(prism.base), by);
+    for (PlanShape& lid : prism.lid)
+        lid = movedPlan(std::move(lid), by);
+    return prism;
+}
+
 Result<DraftedPrism> draftedPrism(const PrismRequest& request) {
     DraftedPrism prism;
     prism.grid = request.grid;

@@ -36,6 +36,9 @@ struct DraftedPrism {
     [[nodiscard]] bool stands(int side) const { return !lid[side == 1 ? 0 : 1].empty(); }
 };
 
+/// The prism elsewhere in the plane; `by` in mm, a multiple of its grid.
+[[nodiscard]] DraftedPrism movedPrism(DraftedPrism prism, const Eigen::Vector2d& by);
+
 /// What is asked of a prism.
 struct PrismRequest {
     PlanShape base;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The builder's stage that finds room: what stands in the plane, and a block that has place for all of it.
 #include "mesh/measures.h"
+#include "mold/circle_layout.h"
 #include "mold/mold_builder.h"
+#include "mold/star_runners.h"
 
 #include <algorithm>
 
@@ -54,31 +56,37 @@ Obstacles MoldBuilder::planObstacles(const Block& block) const {
 }
 
 void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const {
-    const double funnel = std::max(spout().funnel, spout().diameter) / 2;
-    if (single()) {
-        // Spout and vents go straight up.
-        const auto add = [&](const Vector2d& top, double half) {
-            const Vector2d tip = top + m_layout.copies.front().offset;
-            obstacles.push_back(planRectangle({tip.x() - half, tip.y()}, {tip.x() + half, faceY}));
-        };
-        for (const Gate& gate : m_entries->front().gates)
-            add(gate.tip, funnel);
-        for (const VentedTrap& vented : m_entries->front().traps)
-            add(vented.top.head<2>(), m_mold.settings.vents.diameter);
-        return;
+    const auto addUpwards = [&](const Vector2d& from, double half) {
+        obstacles.push_back(planRectangle({from.x() - half, from.y()}, {from.x() + half, faceY}));
+    };
+    const double funnel = widestOfSpout() / 2;
+    if (spoutEach())
+        for (const CavityCopy& copy : m_layout.copies) {
+            for (const Gate& gate : (*m_entries)[copy.kind].gates)
+                addUpwards(gate.tip + copy.offset, funnel);
+            for (const VentedTrap& vented : (*m_entries)[copy.kind].traps)
+                addUpwards(vented.top.head<2>() + copy.offset, m_mold.settings.vents.diameter);
+        }
+    else if (star()) {
+        addUpwards(m_layout.hub, std::max(funnel, m_widths.main / 2));
+        for (const Vector2d& arm : m_layout.arms)
+            obstacles.push_back(starArm(m_layout.hub, arm, m_layout.armEnd, m_widths.runner));
+    } else {
+        addRunnerObstacles(obstacles);
+        addUpwards({m_layout.mainAxis, m_layout.runnerAxes.front() - m_widths.runner / 2 - m_widths.beside},
+                   std::max(funnel, m_widths.main / 2));
     }
+}
+
+void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
     const ChannelWidths& widths = m_widths;
-    Eigen::AlignedBox2d all;
+    AlignedBox2d all;
     for (const CavityCopy& copy : m_layout.copies)
         for (const Vector2d& p : kinds()[copy.kind].hull)
             all.extend(Vector2d(p + copy.offset));
     for (const double axis : m_layout.runnerAxes)
         obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
                                           {all.max().x() + widths.gate, axis + widths.runner / 2}));
-    const double half = std::max(funnel, widths.main / 2);
-    obstacles.push_back(planRectangle(
-        {m_layout.mainAxis - half, m_layout.runnerAxes.front() - widths.runner / 2 - widths.beside},
-        {m_layout.mainAxis + half, faceY}));
 }
 
 Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
@@ -100,33 +108,46 @@ Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
                 content.cavities.extend(
                     Vector3d(mouth.x() + way * hole.radius, mouth.y() + way * hole.radius, 0));
         }
-    if (inPlane()) {
-        const ChannelWidths& widths = m_widths;
-        const double tail = m_end.face - m_end.line;
-        if (single()) {
-            const double half = std::max(spout().funnel, spout().diameter) / 2;
-            for (const Gate& gate : m_entries->front().gates)
-                for (const double way : {-half, half})
-                    content.cavities.extend(
-                        Vector3d(gate.tip.x() + m_layout.copies.front().offset.x() + way, 0, 0));
-            content.spoutTop = content.cavities.max().y() + m_mold.settings.layout.spacing / 2 +
-                               spoutLength(spout(), widths.gate, widths.straight()) + tail;
-        } else {
-            for (const double way : {-1.0, 1.0}) {
-                content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
-                // Runners reach beyond the outermost gates.
-                for (const CavityCopy& copy : m_layout.copies)
-                    for (const Gate& gate : (*m_entries)[copy.kind].gates)
-                        content.cavities.extend(Vector3d(
-                            gate.tip.x() + copy.offset.x() + way * (widths.gate / 2 + widths.beside), 0, 0));
-            }
-            const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
-            content.spoutTop =
-                std::max(top + spoutLength(spout(), widths.main, widths.straight()) + tail, top + wallY);
-        }
-    }
+    if (inPlane())
+        addChannelContent(content, wallY);
     content.byHand = boxByHand();
     return blockAround(content, m_mold.settings, {m_mold.directions, m_grid});
+}
+
+void MoldBuilder::addChannelContent(BlockContent& content, double wallY) const {
+    const ChannelWidths& widths = m_widths;
+    const double tail = m_end.face - m_end.line;
+    if (spoutEach()) {
+        const double half = widestOfSpout() / 2;
+        for (const CavityCopy& copy : m_layout.copies)
+            for (const Gate& gate : (*m_entries)[copy.kind].gates)
+                for (const double way : {-half, half})
+                    content.cavities.extend(Vector3d(gate.tip.x() + copy.offset.x() + way, 0, 0));
+        content.spoutTop = content.cavities.max().y() + m_mold.settings.layout.spacing / 2 +
+                           spoutLength(spout(), widths.gate, widths.straight()) + tail;
+    } else if (star()) {
+        const double bottom =
+            m_layout.hub.y() + starHub(static_cast<int>(m_layout.arms.size()), widths.runner, widths.main);
+        content.spoutTop =
+            bottom + widths.beside + spoutLength(spout(), widths.main, widths.straight()) + tail;
+    } else {
+        addRunnerContent(content, wallY);
+    }
+}
+
+void MoldBuilder::addRunnerContent(BlockContent& content, double wallY) const {
+    const ChannelWidths& widths = m_widths;
+    for (const double way : {-1.0, 1.0}) {
+        content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
+        // Runners reach beyond the outermost gates.
+        for (const CavityCopy& copy : m_layout.copies)
+            for (const Gate& gate : (*m_entries)[copy.kind].gates)
+                content.cavities.extend(
+                    Vector3d(gate.tip.x() + copy.offset.x() + way * (widths.gate / 2 + widths.beside), 0, 0));
+    }
+    const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
+    content.spoutTop = std::max(
+        top + spoutLength(spout(), widths.main, widths.straight()) + m_end.face - m_end.line, top + wallY);
 }
 
 AlignedBox2d MoldBuilder::boxByHand() const {

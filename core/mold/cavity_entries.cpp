@@ -41,7 +41,7 @@ public:
         std::vector<int> drains;
         if (m_settings.spout.on) {
             Result<std::vector<int>> found =
-                m_plan.up.z() == 0 ? findGates(cavity) : findSpouts(cavity, m_shapes.spoutGrounds[kind]);
+                m_plan.up.z() == 0 ? findGates(kind) : findSpouts(cavity, m_shapes.spoutGrounds[kind]);
             if (!found)
                 return std::unexpected(found.error());
             drains = *std::move(found);
@@ -56,17 +56,24 @@ public:
     }
 
 private:
-    Result<std::vector<int>> findGates(const CavityKind& kind) {
-        m_found.gates = gatesOf(kind.outlines, m_plan.gate);
-        for (std::size_t i = 0; i < m_found.gates.size() && m_plan.single; ++i) {
-            const auto wish = placeByHand(m_settings.placed, Placeable::Spout, static_cast<int>(i));
+    /// `number`: of the kind.
+    Result<std::vector<int>> findGates(std::size_t number) {
+        const CavityKind& kind = m_shapes.kinds[number];
+        m_found.gates = gatesAtInlet(kind, m_plan.gate);
+        const bool spouts = !m_plan.cavityAt.empty();
+        for (std::size_t i = 0; i < m_found.gates.size(); ++i) {
+            const int spout = m_found.gates[i].number = spouts ? m_spouts++ : static_cast<int>(i);
+            if (!spouts)
+                continue;
+            const auto wish = placeByHand(m_settings.placed, Placeable::Spout, spout);
             if (!wish)
                 continue;
-            Result<Gate> gate =
-                gateAt(kind.outlines, static_cast<int>(i), wish->x() - m_plan.cavityAt.x(), m_plan.gate);
+            Result<Gate> gate = gateAt(kind.outlines, static_cast<int>(i),
+                                       wish->x() - m_plan.cavityAt[number].x(), m_plan.gate);
             if (!gate)
                 return std::unexpected(gate.error());
             m_found.gates[i] = *std::move(gate);
+            m_found.gates[i].number = spout;
         }
         return drainsOf(m_found.gates);
     }

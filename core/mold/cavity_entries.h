@@ -24,11 +24,12 @@ struct CavityShapes {
 struct EntryPlan {
     const MoldSettings* settings = nullptr;
     Directions directions;
-    double gate = 0;                                    ///< mm, width of gates in the parting plane
-    double channelDraft = 0;                            ///< degrees
-    Eigen::Vector3d up = Eigen::Vector3d::UnitY();      ///< while it is filled
-    bool single = false;                                ///< one cavity: its gates are spouts
-    Eigen::Vector2d cavityAt = Eigen::Vector2d::Zero(); ///< mm: where the only cavity stands
+    double gate = 0;                               ///< mm, width of gates in the parting plane
+    double channelDraft = 0;                       ///< degrees
+    Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< while it is filled
+    /// Where each kind's gates are spouts of their own, which a hand may move: its only copy's place, mm.
+    /// Else empty.
+    std::vector<Eigen::Vector2d> cavityAt;
 };
 
 /// Where each kind is filled, what air stays then, and where it is pushed out: by hand or found. Errors:

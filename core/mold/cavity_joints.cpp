@@ -34,14 +34,14 @@ IndexedMesh inOne(const std::vector<IndexedMesh>& bodies) {
 class Joiner {
 public:
     Joiner(const CavityKind& kind, const CavityFeatures& features, const JointPlan& plan)
-        : m_kind(kind), m_features(features), m_plan(plan) {}
+        : m_kind(kind), m_features(features), m_plan(plan), m_outlines(kind.outlinesFromInlet()) {}
 
     /// All of it, moved a little for each attempt.
     Result<JoinedCavity> planned(int attempt) {
         m_nudge = attempt;
         m_result = {};
-        for (std::size_t i = 0; i < m_features.gates.size(); ++i)
-            if (Result<void> done = addGate(m_features.gates[i], static_cast<int>(i)); !done)
+        for (const Gate& gate : m_features.gates)
+            if (Result<void> done = addGate(gate); !done)
                 return std::unexpected(done.error());
         for (const VentedTrap& trap : m_features.traps)
             if (Result<void> done = vent(trap); !done)
@@ -74,9 +74,10 @@ private:
         return value + width * 0.011 * (m_nudge % 2 == 0 ? m_nudge : -m_nudge);
     }
 
-    Result<void> addGate(const Gate& gate, int number) {
+    /// Found as if the inlet were +y, and turned back.
+    Result<void> addGate(const Gate& gate) {
         const double width = m_plan.widths.gate * (1 - 0.013 * m_nudge);
-        const Vector2d& tip = gate.tip;
+        const Vector2d tip = m_kind.fromInlet(gate.tip);
         const double axis = nudged(tip.x(), width);
         const double bottom = tip.y() - gate.drop * (1 + 0.03 * m_nudge);
         PlanShape shape =
@@ -89,15 +90,17 @@ private:
             error.message.text =
                 MW_TEXT("Mold", "The way from a cavity's gate to the runner passes through another "
                                 "part of the cavity. Choose another pour direction.");
-            error.places.emplace_back(tip.x(), tip.y(), 0);
+            error.places.emplace_back(gate.tip.x(), gate.tip.y(), 0);
             return std::unexpected(std::move(error));
         }
+        for (Vector2d& p : shape)
+            p = m_kind.toInlet(p);
         return add(std::move(shape),
                    heightOverWidth * (m_plan.spout ? m_plan.settings->spout.diameter : width),
-                   {{}, m_plan.spout ? "Spout" : "Gate", false, number, tip});
+                   {{}, m_plan.spout ? "Spout" : "Gate", false, gate.number, gate.tip});
     }
 
-    /// Whether a channel keeps clear of all outlines from `above` on.
+    /// Whether a channel keeps clear of all outlines from `above` on, the inlet being +y.
     [[nodiscard]] bool wayIsFree(const PlanShape& shape, double above) const {
         PlanShape rest = shape;
         for (Vector2d& p : rest)
@@ -105,7 +108,7 @@ private:
         rest.erase(std::unique(rest.begin(), rest.end()), rest.end());
         return rest.size() < 3 ||
                std::none_of(
-                   m_kind.outlines.begin(), m_kind.outlines.end(),
+                   m_outlines.begin(), m_outlines.end(),
                    [&](const CavityOutline& outline) { return planDistance(rest, outline.shape) == 0; });
     }
 
@@ -120,7 +123,7 @@ private:
         return {};
     }
 
-    [[nodiscard]] bool standing() const { return m_plan.up.z() == 0; }
+    [[nodiscard]] bool standing() const { return m_plan.up.z() == 0 && m_plan.ventsInPlane; }
 
     Result<void> vent(const VentedTrap& trap) {
         // In the plane it may leave some air only where a hand put it and there is no other way.
@@ -198,6 +201,7 @@ private:
         const auto clear = [&](const PlanShape& other) { return planDistance(shape, other) >= steel; };
         return std::all_of(m_result.stubs.begin(), m_result.stubs.end(),
                            [&](const Stub& stub) { return clear(stub.prism.base); }) &&
+               std::all_of(m_plan.others.begin(), m_plan.others.end(), clear) &&
                std::all_of(m_result.vents.begin(), m_result.vents.end(),
                            [&](const CavityVent& other) { return clear(other.body.base); }) &&
                std::all_of(m_features.bores.begin(), m_features.bores.end(), [&](const HalfBore& bore) {
@@ -281,6 +285,7 @@ private:
     const CavityKind& m_kind;
     const CavityFeatures& m_features;
     const JointPlan& m_plan;
+    std::vector<CavityOutline> m_outlines; ///< the inlet being +y
     int m_nudge = 0;
     JoinedCavity m_result;
 };

@@ -59,10 +59,12 @@ struct JointPlan {
     ChannelWidths widths;
     double draftDegrees = 1;                       ///< of the mold
     Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< while it is filled: +y, or +z
-    double line = 0;                               ///< y at which stubs end, the kind's coordinates
-    std::array<double, 2> slope{};                 ///< of the wall that they end in
-    bool spout = false;                            ///< the only cavity: its gate is the spout itself
-    std::array<double, 2> blockEnd{};              ///< distance of the block's outer faces from the plane, mm
+    double line = 0;                  ///< at which stubs end, along the kind's inlet, its coordinates
+    std::array<double, 2> slope{};    ///< of the wall that they end in
+    bool spout = false;               ///< its gates are spouts themselves
+    bool ventsInPlane = true;         ///< nothing else stands over the cavity
+    std::vector<PlanShape> others;    ///< what vents in the plane keep clear of, the kind's coordinates
+    std::array<double, 2> blockEnd{}; ///< distance of the block's outer faces from the plane, mm
 };
 
 /// Gates, vents and bores of one kind as they will be joined, without the joint: the result's solids are

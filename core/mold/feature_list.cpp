@@ -56,7 +56,10 @@ void MoldBuilder::listCavity(const CavityCopy& copy) {
     features.push_back({"cavity",
                         kind.mirrored ? "Cavity, mirrored" : "Cavity",
                         by,
-                        {{"volume", volume(kind.cast)}, {"row", copy.row}, {"column", copy.column}},
+                        {{"volume", volume(kind.cast)},
+                         {"row", copy.row},
+                         {"column", copy.column},
+                         {"turn_deg", degrees(kind.turn)}},
                         {}});
     listStubs(copy);
     listBores(copy);
@@ -83,9 +86,9 @@ void MoldBuilder::listStubs(const CavityCopy& copy) {
     const JoinedCavity& joined = m_joined[copy.kind];
     const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
     for (const Stub& stub : joined.stubs) {
-        MoldFeature feature{stub.vent  ? "vent"
-                            : single() ? "spout"
-                                       : "gate",
+        MoldFeature feature{stub.vent     ? "vent"
+                            : spoutEach() ? "spout"
+                                          : "gate",
                             stub.name,
                             middleOf(stub.prism) + by,
                             sizesOf(stub.prism),
@@ -93,7 +96,7 @@ void MoldBuilder::listStubs(const CavityCopy& copy) {
         if (stub.vent)
             addPlaceable(std::move(feature), {Placeable::Vent, stub.number, stub.tip},
                          movedPlan(stub.prism.base, copy.offset), copy.offset);
-        else if (single())
+        else if (spoutEach())
             addPlaceable(std::move(feature),
                          {Placeable::Spout, stub.number, {stub.tip.x() + copy.offset.x(), m_end.face}},
                          movedPlan(stub.prism.base, copy.offset));
@@ -117,7 +120,7 @@ void MoldBuilder::listChannels() {
                             middleOf(channel.prism),
                             sizesOf(channel.prism),
                             {}};
-        if (channel.name == "Spout")
+        if (channel.name == "Spout" && !star())
             addPlaceable(std::move(feature), {Placeable::Spout, 0, {m_layout.mainAxis, m_end.face}},
                          channel.prism.base);
         else

@@ -101,6 +101,12 @@ std::vector<Vector2d> placesRound(const Block& block, int count) {
                                  {low.x(), middle.y()},
                                  {high.x(), middle.y()},
                                  {middle.x(), high.y()}};
+    const Vector2d quarter = (high - low) / 4;
+    for (const double along : {1.0, 3.0})
+        for (const double across : {0.0, 4.0}) {
+            places.emplace_back(low + Vector2d(along * quarter.x(), across * quarter.y()));
+            places.emplace_back(high - Vector2d(across * quarter.x(), along * quarter.y()));
+        }
     places.resize(static_cast<std::size_t>(std::min(count, static_cast<int>(places.size()))));
     return places;
 }

@@ -40,7 +40,8 @@ using Wishes = std::vector<std::optional<Eigen::Vector2d>>;
 [[nodiscard]] Wishes wishesFor(const PlacedFeatures& placed, Placeable kind, int count);
 
 /// Where features round the block are wanted: its corners, alternately opposite, then the middles of its
-/// sides; eight at most.
+/// sides, then halfway between these; `mostRound` at most.
+inline constexpr int mostRound = 16;
 [[nodiscard]] std::vector<Eigen::Vector2d> placesRound(const Block& block, int count);
 
 /// Corners of the polygons that stand for circles in the plane.

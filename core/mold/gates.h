@@ -28,6 +28,7 @@ struct Gate {
     PlanShape outline;                             ///< the parting curve that the tip lies on
     double drop = 0; ///< mm below the tip at which a channel as wide as asked for lies inside the outline
     double exit = 0; ///< y above which it lies outside
+    int number = 0;  ///< of the kind's, or of all spouts where gates are spouts
 };
 
 /// The gates of a cavity, one for each of its solids, at the highest point of its parting line; `width` mm

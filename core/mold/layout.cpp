@@ -4,6 +4,8 @@
 #include "castability/certificate.h"
 #include "castability/float_rounding.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,15 +59,6 @@ const char* refusalOf(Alternation alternation) {
     }
 }
 
-CavityKind kindOf(IndexedMesh cast, SideLabels labels) {
-    CavityKind kind;
-    kind.hull = planHull(cast.V);
-    kind.outlines = outlinesOf(cast, labels);
-    kind.cast = std::move(cast);
-    kind.labels = std::move(labels);
-    return kind;
-}
-
 Result<CavityKind> alternateKind(const CavityKind& first, const Directions& directions, double draftDegrees,
                                  double grid, Alternation alternation) {
     const Vector3d signs = signsOf(alternation);
@@ -78,7 +71,7 @@ Result<CavityKind> alternateKind(const CavityKind& first, const Directions& dire
     if (!certificate.holds())
         return failure(ErrorCode::Impossible, refusalOf(alternation),
                        {readable(certificate.worstDraftDegrees), readable(draftDegrees)});
-    CavityKind kind = kindOf(std::move(cast), labels);
+    CavityKind kind = cavityKind(std::move(cast), labels);
     kind.mirrored = alternation == Alternation::Mirror;
     return kind;
 }
@@ -172,14 +165,7 @@ private:
         return upToSixteenth(right + beside);
     }
     void centre(Layout& layout) const {
-        AlignedBox2d all;
-        for (const CavityCopy& copy : layout.copies)
-            all.extend(boxOf(movedPlan(m_kinds[copy.kind].hull, copy.offset)));
-        const Vector2d middle = all.center();
-        const Vector2d shift = -(middle / sixteenth).array().round().matrix() * sixteenth;
-        for (CavityCopy& copy : layout.copies)
-            copy.offset += shift;
-        layout.mainAxis += shift.x();
+        centreLayout(layout, m_kinds);
         for (int r = 0; r < m_settings.rows; ++r)
             layout.runnerAxes.push_back(
                 layout.copies[static_cast<std::size_t>(r * m_settings.columns)].offset.y() +
@@ -195,6 +181,61 @@ private:
 
 } // namespace
 
+CavityKind cavityKind(IndexedMesh cast, SideLabels labels) {
+    CavityKind kind;
+    kind.hull = planHull(cast.V);
+    kind.outlines = outlinesOf(cast, labels);
+    kind.cast = std::move(cast);
+    kind.labels = std::move(labels);
+    return kind;
+}
+
+std::expected<CavityKind, double> turnedKind(const CavityKind& kind, double angle,
+                                             const Directions& directions, double draftDegrees, double grid) {
+    if (angle == 0)
+        return kind;
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+    IndexedMesh cast{kind.cast.V * turn.transpose(), kind.cast.F};
+    cast.V.col(2) = kind.cast.V.col(2); // the plane stays, to the bit
+    cast = roundKeepingDraft(cast, kind.labels, directions, draftDegrees, grid);
+    const Certificate certificate = certify(cast, kind.labels, {{}, directions}, draftDegrees);
+    if (!certificate.holds())
+        return std::unexpected(certificate.worstDraftDegrees);
+    CavityKind turned = cavityKind(std::move(cast), kind.labels);
+    turned.turn = kind.turn + angle;
+    return turned;
+}
+
+std::vector<CavityOutline> CavityKind::outlinesFromInlet() const {
+    std::vector<CavityOutline> turned = outlines;
+    for (CavityOutline& outline : turned)
+        for (Vector2d& p : outline.shape)
+            p = fromInlet(p);
+    return turned;
+}
+
+std::vector<Gate> gatesAtInlet(const CavityKind& kind, double width) {
+    std::vector<Gate> gates = gatesOf(kind.outlinesFromInlet(), width);
+    for (Gate& gate : gates) {
+        gate.tip = kind.toInlet(gate.tip);
+        for (Vector2d& p : gate.outline)
+            p = kind.toInlet(p);
+    }
+    return gates;
+}
+
+void centreLayout(Layout& layout, const std::vector<CavityKind>& kinds) {
+    AlignedBox2d all;
+    for (const CavityCopy& copy : layout.copies)
+        all.extend(boxOf(movedPlan(kinds[copy.kind].hull, copy.offset)));
+    const Vector2d middle = all.center();
+    const Vector2d shift = -(middle / sixteenth).array().round().matrix() * sixteenth;
+    for (CavityCopy& copy : layout.copies)
+        copy.offset += shift;
+    layout.mainAxis += shift.x();
+    layout.hub += shift;
+}
+
 double upToSixteenth(double length) {
     return std::ceil(length / sixteenth - 1e-9) * sixteenth;
 }
@@ -202,7 +243,7 @@ double upToSixteenth(double length) {
 Result<std::vector<CavityKind>> cavityKinds(const IndexedMesh& cast, const SideLabels& labels,
                                             const Directions& directions, double draftDegrees, double grid,
                                             Alternation alternation) {
-    std::vector<CavityKind> kinds{kindOf(cast, labels)};
+    std::vector<CavityKind> kinds{cavityKind(cast, labels)};
     if (alternation == Alternation::None)
         return kinds;
     Result<CavityKind> second = alternateKind(kinds.front(), directions, draftDegrees, grid, alternation);

@@ -8,26 +8,43 @@
 #include "mold/gates.h"
 #include "mold/mold_settings.h"
 
+#include <expected>
 #include <vector>
 
 namespace moldwright {
 
-/// One shape of cavity, centred where it was placed; copies of it are moved by multiples of 1/16 mm, so they
-/// are the same to the bit.
+/// One shape of cavity, centred where it was placed; copies of it are moved by multiples of 1/256 mm, so
+/// they are the same to the bit.
 struct CavityKind {
     IndexedMesh cast; ///< mold's frame, on the grid
     SideLabels labels;
     PlanShape hull;                      ///< round all of it, seen along the plane's normal
     std::vector<CavityOutline> outlines; ///< its parting curves
     bool mirrored = false;               ///< the opposite-handed part
+    double turn = 0;                     ///< radians about the normal, from the cast as it was placed
+    Eigen::Vector2d inlet = Eigen::Vector2d::UnitY(); ///< unit: the way from the cavity to what fills it
+
+    /// A place of the plane turned so that the inlet is +y, and back; exact where it is already.
+    [[nodiscard]] Eigen::Vector2d fromInlet(const Eigen::Vector2d& p) const {
+        return {inlet.y() * p.x() - inlet.x() * p.y(), inlet.dot(p)};
+    }
+    [[nodiscard]] Eigen::Vector2d toInlet(const Eigen::Vector2d& p) const {
+        return {inlet.y() * p.x() + inlet.x() * p.y(), inlet.y() * p.y() - inlet.x() * p.x()};
+    }
+    /// The outlines so turned.
+    [[nodiscard]] std::vector<CavityOutline> outlinesFromInlet() const;
 };
+
+/// The gates of a kind as gatesOf() finds them in the inlet's direction. Tips and outlines are in the kind's
+/// coordinates; `drop` and `exit` are along the inlet.
+[[nodiscard]] std::vector<Gate> gatesAtInlet(const CavityKind& kind, double width);
 
 /// A cavity: which kind, and where.
 struct CavityCopy {
     std::size_t kind = 0;
     int row = 0;
     int column = 0;
-    Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< mm; multiples of 1/16
+    Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< mm; multiples of 1/256
 };
 
 /// The cast as it is and, where every second one is to be another, that one. A copy placed by a turn R is
@@ -36,6 +53,16 @@ struct CavityCopy {
 [[nodiscard]] Result<std::vector<CavityKind>> cavityKinds(const IndexedMesh& cast, const SideLabels& labels,
                                                           const Directions& directions, double draftDegrees,
                                                           double grid, Alternation alternation);
+
+/// A kind of cavity of a cast that is certified as it is.
+[[nodiscard]] CavityKind cavityKind(IndexedMesh cast, SideLabels labels);
+
+/// The kind turned about the normal by an angle in radians, on the grid, or the draft in degrees that it
+/// would have where the directions do not allow that: a turn R is allowed where the cast leaves along R⁻¹d1,
+/// R⁻¹d2.
+[[nodiscard]] std::expected<CavityKind, double> turnedKind(const CavityKind& kind, double angle,
+                                                           const Directions& directions, double draftDegrees,
+                                                           double grid);
 
 /// Room that runners take in a layout, mm; zero without.
 struct RunnerRoom {
@@ -50,10 +77,19 @@ struct Layout {
     int mainColumn = 0;
     double mainAxis = 0;            ///< mm, x of the main runner
     std::vector<double> runnerAxes; ///< mm, y of the runner over each row
-    double runnerOverKind = 0;      ///< mm, y of a row's runner less that of its cavities' offset
+    /// On a circle: its middle, the ways from there to the copies, where the channels along them end, and how
+    /// far each copy's gate is from the middle, mm.
+    Eigen::Vector2d hub = Eigen::Vector2d::Zero();
+    std::vector<Eigen::Vector2d> arms;
+    double armEnd = 0;
+    std::vector<double> tipRadii;
+    double runnerOverKind = 0; ///< mm, y of a row's runner less that of its cavities' offset
 };
 [[nodiscard]] Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings,
                               const RunnerRoom& room);
+
+/// Moves all of a layout so that the middle of its cavities is over the origin.
+void centreLayout(Layout& layout, const std::vector<CavityKind>& kinds);
 
 /// A length as the next multiple of 1/16 mm.
 [[nodiscard]] double upToSixteenth(double length);

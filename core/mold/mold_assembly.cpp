@@ -231,13 +231,13 @@ std::vector<Hollow> MoldBuilder::attachedTo(std::size_t kind) const {
     const JoinedCavity& joined = m_joined[kind];
     std::vector<Hollow> attached;
     for (const Stub& stub : joined.stubs) {
-        const bool gate = !stub.vent && !single();
+        const bool gate = !stub.vent && !spoutEach();
         const Placeable what = stub.vent ? Placeable::Vent : Placeable::Spout;
         attached.push_back({stub.name,
                             shared(*prismSolid(stub.prism)),
                             {},
                             {},
-                            single(),
+                            spoutEach(),
                             stub.number + 1,
                             !gate,
                             !gate && isByHand(what, stub.number)});
@@ -279,8 +279,9 @@ std::vector<Hollow> MoldBuilder::hollows() const {
         for (Hollow hollow : attached[copy.kind]) {
             hollow.offset = copy.offset;
             hollow.joints = {c};
-            // A bore stays apart from the runners.
-            if (hollow.name != ejectorName)
+            // A bore stays apart from the runners, on a circle vents too; spouts of their own from each
+            // other.
+            if (!spoutEach() && hollow.name != ejectorName && (!star() || hollow.name != "Vent"))
                 hollow.joints.push_back(net);
             all.push_back(std::move(hollow));
         }
@@ -294,7 +295,7 @@ std::vector<Hollow> MoldBuilder::hollows() const {
                        main,
                        main ? 1 : 0,
                        main,
-                       main && isByHand(Placeable::Spout, 0)});
+                       main && !star() && isByHand(Placeable::Spout, 0)});
     }
     const auto add = [&](const char* name, IndexedMesh mesh, bool opensOutside, Placeable kind, int number) {
         all.push_back({name,

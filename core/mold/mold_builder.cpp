@@ -4,8 +4,11 @@
 #include "castability/parting_curves.h"
 #include "castability/placed_cast.h"
 #include "mesh/measures.h"
+#include "mold/circle_layout.h"
+#include "mold/free_layout.h"
 #include "mold/mold_proof.h"
 #include "mold/shrink.h"
+#include "mold/star_runners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +34,17 @@ struct Reach {
 Reach farthestReach(const MoldSettings& settings, double castSize) {
     const LayoutSettings& layout = settings.layout;
     const double cell = castSize + 2 * layout.spacing + 2 * settings.spout.diameter;
-    return {std::max(layout.rows, layout.columns) * cell / 2,
-            settings.wall + settings.floor + settings.ceiling + settings.step + 2 * settings.spout.funnel +
-                4 * settings.keys.diameter + 40};
+    double cavities = std::max(layout.rows, layout.columns) * cell / 2;
+    if (layout.arrangement == Arrangement::Circle)
+        cavities = (layout.rows * layout.columns / 2.0 + 2) * (cell + settings.spout.funnel);
+    if (layout.arrangement == Arrangement::Free) {
+        Eigen::AlignedBox2d box;
+        for (const CavityPlace& place : layout.places)
+            box.extend(Vector2d(place.x, place.y));
+        cavities = cell + (box.isEmpty() ? 0 : box.sizes().maxCoeff());
+    }
+    return {cavities, settings.wall + settings.floor + settings.ceiling + settings.step +
+                          2 * settings.spout.funnel + 4 * settings.keys.diameter + 40};
 }
 
 } // namespace
@@ -85,12 +96,31 @@ Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& label
     return {};
 }
 
+Result<std::vector<CavityKind>> MoldBuilder::kindsAsked() const {
+    const LayoutSettings& layout = m_mold.settings.layout;
+    const Directions& directions = m_mold.directions;
+    const double draft = m_mold.draftDegrees;
+    if ((star() || isFree()) && layout.alternation != Alternation::None)
+        return failure(ErrorCode::Usage,
+                       MW_TEXT("Mold",
+                               "Every second cavity can be another one in rows only, not on a circle or "
+                               "in a free layout."));
+    if (isFree())
+        return kindsAtPlaces(m_cast, m_labels, directions, draft, m_grid, layout.places);
+    if (star())
+        return kindsRound(m_cast, m_labels, directions, draft, m_grid, layout.rows * layout.columns);
+    return cavityKinds(m_cast, m_labels, directions, draft, m_grid, layout.alternation);
+}
+
 Result<void> MoldBuilder::makeKinds() {
     const MoldSettings& settings = m_mold.settings;
-    Result<std::vector<CavityKind>> kinds = cavityKinds(
-        m_cast, m_labels, m_mold.directions, m_mold.draftDegrees, m_grid, settings.layout.alternation);
+    Result<std::vector<CavityKind>> kinds = kindsAsked();
     if (!kinds)
         return std::unexpected(kinds.error());
+    if (star() && std::all_of(kinds->begin(), kinds->end(), [](const CavityKind& k) { return k.turn == 0; }))
+        m_mold.notes.emplace_back("The removal directions do not allow turned copies: on the circle they are "
+                                  "only moved, and each is filled on another of its sides.");
+    m_mold.partToMold.prerotate(Eigen::AngleAxisd(kinds->front().turn, Vector3d::UnitZ()));
     const double depth = onPlaneTolerance(m_cast);
     const bool flips = settings.layout.alternation == Alternation::Flip;
     m_rules = {m_mold.directions,
@@ -122,23 +152,67 @@ bool MoldBuilder::isByHand(Placeable kind, int number) const {
 
 Result<void> MoldBuilder::layOut() {
     const MoldSettings& settings = m_mold.settings;
-    RunnerRoom room;
     if (inPlane()) {
         const Result<ChannelWidths> widths = ChannelWidths::of(spout(), m_rules);
         if (!widths)
             return std::unexpected(widths.error());
         m_widths = *widths;
-        room = m_widths.room();
-        // A gate at a cavity's very edge stays clear of the main runner.
-        room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.layout.spacing + 1);
     }
-    m_layout = layoutOf(kinds(), settings.layout, room);
+    Result<Layout> layout = layoutAsked();
+    if (!layout)
+        return std::unexpected(layout.error());
+    m_layout = *std::move(layout);
     if (const auto mouth = placeByHand(settings.placed, Placeable::Spout, 0); mouth && !single())
         m_layout.mainAxis = mouth->x();
     m_mold.cavities = static_cast<int>(m_layout.copies.size());
     m_mold.partToMold.pretranslate(
         Vector3d(m_layout.copies.front().offset.x(), m_layout.copies.front().offset.y(), 0));
     return {};
+}
+
+Result<Layout> MoldBuilder::layoutAsked() const {
+    const LayoutSettings& settings = m_mold.settings.layout;
+    if (star())
+        return layoutOnCircle();
+    if (isFree()) {
+        std::vector<std::vector<Vector2d>> tips;
+        for (const CavityKind& kind : kinds()) {
+            tips.emplace_back();
+            for (const Gate& gate : gatesAtInlet(kind, m_widths.gate))
+                tips.back().push_back(gate.tip);
+        }
+        return freeLayout(kinds(), settings.places, tips, inPlane() ? widestOfSpout() : 0,
+                          m_mold.settings.leastSteel);
+    }
+    RunnerRoom room;
+    if (inPlane()) {
+        room = m_widths.room();
+        // A gate at a cavity's very edge stays clear of the main runner.
+        room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.spacing + 1);
+    }
+    return layoutOf(kinds(), settings, room);
+}
+
+Result<Layout> MoldBuilder::layoutOnCircle() const {
+    std::vector<Vector2d> tips;
+    for (const CavityKind& kind : kinds()) {
+        const std::vector<Gate> gates = gatesAtInlet(kind, std::max(m_widths.gate, 1.0));
+        if (inPlane() && gates.size() > 1)
+            return failure(ErrorCode::Impossible,
+                           MW_TEXT("Mold",
+                                   "On a circle each cavity is filled at one place, from the middle. This "
+                                   "cast is of {0} solids: arrange it in rows, or fill it through half 1."),
+                           {std::to_string(gates.size())});
+        tips.push_back(gates.front().tip);
+    }
+    StarRoom room;
+    if (inPlane())
+        room = {widestOfSpout(), m_widths.runner,
+                starHub(static_cast<int>(kinds().size()), m_widths.runner, m_widths.main) +
+                    2 * m_widths.beside};
+    Layout layout = circleLayout(kinds(), tips, m_mold.settings.layout.spacing, room);
+    centreLayout(layout, kinds());
+    return layout;
 }
 
 Result<void> MoldBuilder::findEntries() {
@@ -148,8 +222,9 @@ Result<void> MoldBuilder::findEntries() {
     plan.gate = m_widths.gate;
     plan.channelDraft = m_rules.draftDegrees;
     plan.up = up();
-    plan.single = single();
-    plan.cavityAt = m_layout.copies.front().offset;
+    if (spoutEach())
+        for (std::size_t kind = 0; kind < kinds().size(); ++kind)
+            plan.cavityAt.push_back(m_layout.copies[std::min(kind, m_layout.copies.size() - 1)].offset);
     Result<std::vector<CavityFeatures>> entries = entriesOf(*m_shapes, plan);
     if (!entries)
         return std::unexpected(entries.error());
@@ -157,39 +232,71 @@ Result<void> MoldBuilder::findEntries() {
     return {};
 }
 
-Result<JointPlan> MoldBuilder::jointPlan() const {
+double MoldBuilder::endOfStubs(std::size_t kind) const {
+    if (spoutEach())
+        return m_end.line - m_layout.copies[std::min(kind, m_layout.copies.size() - 1)].offset.y();
+    if (!star())
+        return m_layout.runnerOverKind - m_widths.runner / 2;
+    const Vector2d armEnd = m_layout.hub + m_layout.armEnd * m_layout.arms[kind];
+    return kinds()[kind].inlet.dot(armEnd - m_layout.copies[kind].offset);
+}
+
+/// In a free layout: the other cavities and what leads up from them, in the kind's coordinates.
+std::vector<PlanShape> MoldBuilder::standingBeside(std::size_t kind) const {
+    std::vector<PlanShape> others;
+    for (const CavityCopy& copy : m_layout.copies) {
+        if (copy.kind == kind)
+            continue;
+        const Vector2d by = copy.offset - m_layout.copies[kind].offset;
+        others.push_back(movedPlan(kinds()[copy.kind].hull, by));
+        const double half = widestOfSpout() / 2;
+        for (const Gate& gate : (*m_entries)[copy.kind].gates)
+            others.push_back(planRectangle({gate.tip.x() + by.x() - half, gate.tip.y() + by.y()},
+                                           {gate.tip.x() + by.x() + half, endOfStubs(kind)}));
+        if (copy.kind < m_stubs.size())
+            for (const Stub& stub : m_stubs[copy.kind])
+                others.push_back(movedPlan(stub.prism.base, by));
+    }
+    return others;
+}
+
+Result<JointPlan> MoldBuilder::jointPlan(std::size_t kind) const {
     JointPlan plan;
     plan.settings = &m_mold.settings;
     plan.rules = m_rules;
     plan.widths = m_widths;
     plan.draftDegrees = m_mold.draftDegrees;
     plan.up = up();
-    plan.spout = single();
+    plan.spout = spoutEach();
+    plan.ventsInPlane = !star();
     plan.blockEnd = {m_block.end(1), -m_block.end(2)};
     if (inPlane()) {
-        const Result<std::array<double, 2>> slope = m_rules.slope(-Vector2d::UnitY());
+        const Result<std::array<double, 2>> slope = m_rules.slope(-kinds()[kind].inlet);
         if (!slope)
             return std::unexpected(slope.error());
-        plan.line = single() ? m_end.line : m_layout.runnerOverKind - m_widths.runner / 2;
-        plan.slope = single() ? std::array{0.0, 0.0} : *slope;
+        plan.line = endOfStubs(kind);
+        plan.slope = spoutEach() ? std::array{0.0, 0.0} : *slope;
+        if (isFree())
+            plan.others = standingBeside(kind);
     }
     return plan;
 }
 
 Result<void> MoldBuilder::makeJoints(Result<JoinedCavity> (*joined)(const CavityKind&, const CavityFeatures&,
                                                                     const JointPlan&)) {
-    const Result<JointPlan> plan = jointPlan();
-    if (!plan)
-        return std::unexpected(plan.error());
     for (std::size_t kind = 0; kind < kinds().size(); ++kind) {
+        const Result<JointPlan> plan = jointPlan(kind);
+        if (!plan)
+            return std::unexpected(plan.error());
         Result<JoinedCavity> cavity = joined(kinds()[kind], (*m_entries)[kind], *plan);
         if (!cavity)
             return std::unexpected(cavity.error());
         m_joined.push_back(*std::move(cavity));
         m_stubs.push_back(m_joined.back().stubs);
     }
-    if (inPlane() && !single()) {
-        Result<RunnerNet> net = runnerNet(m_layout, m_stubs, spout(), m_widths, m_rules, m_end);
+    if (inPlane() && !spoutEach()) {
+        Result<RunnerNet> net =
+            (star() ? starNet : runnerNet)(m_layout, m_stubs, spout(), m_widths, m_rules, m_end);
         if (!net)
             return std::unexpected(net.error());
         m_net = *std::move(net);
@@ -197,19 +304,20 @@ Result<void> MoldBuilder::makeJoints(Result<JoinedCavity> (*joined)(const Cavity
     return addTails();
 }
 
-/// What opens into the block's face: the spout, and a single cavity's vents.
+/// What opens into the block's face: the spout, or each cavity's spouts and vents.
 Result<void> MoldBuilder::addTails() {
     if (!inPlane())
         return {};
-    std::vector<const DraftedPrism*> ends;
-    if (single())
-        for (const Stub& stub : m_stubs.front())
-            ends.push_back(&stub.prism);
+    std::vector<DraftedPrism> ends;
+    if (spoutEach())
+        for (const CavityCopy& copy : m_layout.copies)
+            for (const Stub& stub : m_stubs[copy.kind])
+                ends.push_back(movedPrism(stub.prism, copy.offset));
     else
-        ends.push_back(&m_net.channels.front().prism);
-    for (const DraftedPrism* end : ends)
+        ends.push_back(m_net.channels.front().prism);
+    for (const DraftedPrism& end : ends)
         for (const bool closed : {true, false}) {
-            Result<DraftedPrism> tail = tailOf(*end, m_rules, m_end, closed);
+            Result<DraftedPrism> tail = tailOf(end, m_rules, m_end, closed);
             if (!tail)
                 return std::unexpected(tail.error());
             (closed ? m_closedTails : m_openTails).push_back(*std::move(tail));

@@ -8,6 +8,7 @@
 #include "mold/mold.h"
 #include "mold/registration.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -60,6 +61,14 @@ public:
 private:
     [[nodiscard]] const std::vector<CavityKind>& kinds() const { return m_shapes->kinds; }
     [[nodiscard]] bool single() const { return m_layout.copies.size() == 1; }
+    /// Whether the cavities stand on a circle.
+    [[nodiscard]] bool star() const {
+        const LayoutSettings& layout = m_mold.settings.layout;
+        return layout.arrangement == Arrangement::Circle && layout.rows * layout.columns > 1;
+    }
+    [[nodiscard]] bool isFree() const { return m_mold.settings.layout.arrangement == Arrangement::Free; }
+    /// Whether a spout in the parting plane leads to each cavity without runners.
+    [[nodiscard]] bool spoutEach() const { return single() || isFree(); }
     /// Whether spout and runners lie in the parting plane.
     [[nodiscard]] bool inPlane() const { return spout().on && spout().resting == Resting::Standing; }
     [[nodiscard]] bool lying() const { return spout().on && spout().resting == Resting::Lying; }
@@ -72,9 +81,18 @@ private:
     [[nodiscard]] bool isByHand(Placeable kind, int number) const;
     Result<void> makeJoints(Result<JoinedCavity> (*joined)(const CavityKind&, const CavityFeatures&,
                                                            const JointPlan&));
-    [[nodiscard]] Result<JointPlan> jointPlan() const;
+    [[nodiscard]] Result<std::vector<CavityKind>> kindsAsked() const;
+    [[nodiscard]] Result<Layout> layoutAsked() const;
+    [[nodiscard]] Result<Layout> layoutOnCircle() const;
+    [[nodiscard]] Result<JointPlan> jointPlan(std::size_t kind) const;
+    [[nodiscard]] double endOfStubs(std::size_t kind) const;
+    [[nodiscard]] std::vector<PlanShape> standingBeside(std::size_t kind) const;
+    [[nodiscard]] double widestOfSpout() const { return std::max(spout().funnel, spout().diameter); }
     [[nodiscard]] Obstacles planObstacles(const Block& block) const;
     void addChannelObstacles(Obstacles& obstacles, double faceY) const;
+    void addRunnerObstacles(Obstacles& obstacles) const;
+    void addChannelContent(BlockContent& content, double wallY) const;
+    void addRunnerContent(BlockContent& content, double wallY) const;
     void addByHand(Obstacles& obstacles, const Block& block) const;
     [[nodiscard]] Eigen::AlignedBox2d boxByHand() const;
     /// A hole that leaves a cavity through a half, along its direction.

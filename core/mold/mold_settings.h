@@ -30,6 +30,17 @@ enum class Arrangement {
     Grid,      ///< rows and columns
     Staggered, ///< every second row moved by half a column
     Packed,    ///< rows and columns as close as the outlines allow
+    Circle,    ///< rows × columns of them on a circle; a spout in the plane fills all from its middle
+    Free       ///< where `places` says; each has its own spout
+};
+
+/// Where a cavity of a free layout stands.
+struct CavityPlace {
+    double x = 0;    ///< mm in the parting plane, from any origin: the mold lies about all of them
+    double y = 0;    ///< mm
+    double turn = 0; ///< degrees about the plane's normal, counter-clockwise seen from side 1
+
+    bool operator==(const CavityPlace&) const = default;
 };
 
 /// What every second cavity of a row is.
@@ -45,7 +56,8 @@ struct LayoutSettings {
     int columns = 1;
     Arrangement arrangement = Arrangement::Grid;
     Alternation alternation = Alternation::None;
-    double spacing = 5; ///< steel between cavities, and between them and channels, mm
+    double spacing = 5;                ///< steel between cavities, and between them and channels, mm
+    std::vector<CavityPlace> places{}; ///< of a free layout: one for each cavity
 
     bool operator==(const LayoutSettings&) const = default;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/mold_settings_json.h"
 
+#include "project/cavity_places.h"
 #include "project/placed_json.h"
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,8 @@ using Json = nlohmann::ordered_json;
 // Names in files, in the order of the enumerations.
 constexpr std::array<std::string_view, 2> formulaNames = {"plus", "divide"};
 constexpr std::array<std::string_view, 2> shapeNames = {"box", "shell"};
-constexpr std::array<std::string_view, 3> arrangementNames = {"grid", "staggered", "packed"};
+constexpr std::array<std::string_view, 5> arrangementNames = {"grid", "staggered", "packed", "circle",
+                                                              "free"};
 constexpr std::array<std::string_view, 4> alternationNames = {"none", "turn", "flip", "mirror"};
 constexpr std::array<std::string_view, 2> restingNames = {"standing", "lying"};
 constexpr std::array<std::string_view, 5> pourNames = {"auto", "0", "90", "180", "270"};
@@ -75,6 +77,7 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"hollow", "wall"}, mold.hollow.wall);
     at.value({"stock"}, mold.stock);
     at.features({"placed"}, mold.placed);
+    at.places({"layout", "places"}, mold.layout.places);
     for (const auto& [axis, key] : {std::pair{0, "x"}, std::pair{1, "y"}, std::pair{2, "z"}})
         at.value({"machines", "bed", key}, mold.machines.bed[axis]);
     at.value({"machines", "clamp_kn"}, mold.machines.clamp);
@@ -100,6 +103,7 @@ struct Writer {
         value(path, std::string(names.at(static_cast<std::size_t>(choice))));
     }
     void features(Path path, const PlacedFeatures& placed) { value(path, placedJson(placed)); }
+    void places(Path path, const std::vector<CavityPlace>& places) { value(path, cavityPlacesJson(places)); }
 };
 
 struct Reader {
@@ -137,6 +141,15 @@ struct Reader {
         if (!read)
             throw Json::other_error::create(501, read.error().english(), found);
         placed = *read;
+    }
+    void places(Path path, std::vector<CavityPlace>& places) const {
+        const Json* found = find(path);
+        if (found == nullptr)
+            return;
+        Result<std::vector<CavityPlace>> read = cavityPlacesFrom(*found);
+        if (!read)
+            throw Json::other_error::create(501, read.error().english(), found);
+        places = *std::move(read);
     }
 };
 

@@ -152,6 +152,36 @@ TEST_F(MoldCommands, PlacesComeFromAMoldsOwnList) {
     EXPECT_EQ(placed("auto").exitCode, 0);
 }
 
+TEST_F(MoldCommands, CavitiesStandOnACircleOrWhereTheyArePut) {
+    const std::string file = project(m_box);
+    const auto built = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"mold", file, "--out", in("out"), "--json", "-"};
+        words.insert(words.end(), more.begin(), more.end());
+        return test::runProgram(words);
+    };
+    const test::Run circle =
+        built({"--layout", "circle", "--cavities", "5", "--spout", "auto", "--vents", "auto"});
+    ASSERT_EQ(circle.exitCode, 0) << circle.err;
+    const Json paths = Json::parse(circle.out)["path_lengths"];
+    ASSERT_EQ(paths.size(), 5U);
+    for (const Json& path : paths)
+        EXPECT_NEAR(path.get<double>(), paths[0].get<double>(), 0.01);
+    EXPECT_EQ(verified(Json::parse(circle.out)).exitCode, 0);
+    const test::Run free = built({"--cavity-places", "0,0; 40,5,90"});
+    ASSERT_EQ(free.exitCode, 0) << free.err;
+    const Json mold = Json::parse(free.out);
+    Json cavities = Json::array();
+    for (const Json& feature : mold["features"])
+        if (feature["kind"] == "cavity")
+            cavities.push_back(feature);
+    ASSERT_EQ(cavities.size(), 2U);
+    EXPECT_NEAR(cavities[1]["turn_deg"].get<double>(), 90, 1e-9);
+    EXPECT_NEAR(cavities[1]["place"][0].get<double>() - cavities[0]["place"][0].get<double>(), 40, 0.01);
+    EXPECT_EQ(built({"--cavity-places", "0,0; 11,0"}).exitCode, 4);
+    EXPECT_EQ(built({"--cavity-places", "0,0; 40"}).exitCode, 2);
+    EXPECT_EQ(built({"--cavity-places", "0,0", "--cavities", "2"}).exitCode, 2);
+}
+
 TEST_F(MoldCommands, HalvesSwappedDoNotVerify) {
     const std::string file = project(m_box);
     ASSERT_EQ(test::runProgram({"mold", file, "--out", in("out")}).exitCode, 0);
@@ -176,32 +206,12 @@ TEST_F(MoldCommands, MoldWithAllItsFeaturesVerifies) {
     // Both directions lean more than 15° off the normal.
     const std::string file =
         project(test::moved(test::sheared(test::ball(12, 4), 0.3, 0.35), {1, 2, 3}, 0.4, {3, 4, 5}));
-    const test::Run run = test::runProgram({"mold",
-                                            file,
-                                            "--out",
-                                            in("out"),
-                                            "--cavities",
-                                            "2x2",
-                                            "--spout",
-                                            "auto",
-                                            "--vents",
-                                            "auto",
-                                            "--keys",
-                                            "4",
-                                            "--slits",
-                                            "2",
-                                            "--shrink",
-                                            "1.5",
-                                            "--shrink-formula",
-                                            "plus",
-                                            "--block",
-                                            "shell",
-                                            "--outer-draft",
-                                            "3",
-                                            "--also",
-                                            "obj,ply,svg,dxf",
-                                            "--json",
-                                            "-"});
+    const test::Run run = test::runProgram(
+        {"mold",    file,    "--out",         in("out"), "--cavities",       "2x2",
+         "--spout", "auto",  "--vents",       "auto",    "--keys",           "4",
+         "--slits", "2",     "--shrink",      "1.5",     "--shrink-formula", "plus",
+         "--block", "shell", "--outer-draft", "3",       "--also",           "obj,ply,svg,dxf",
+         "--json",  "-"});
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const Json json = Json::parse(run.out);
     EXPECT_EQ(json["verified"], true);

@@ -2,6 +2,7 @@
 // Holes that nothing is cast in: for bolts and for ejector pins.
 #include "mesh/check.h"
 #include "mesh/measures.h"
+#include "mold/free_place.h"
 #include "mold/mold.h"
 #include "support/casts.h"
 #include "support/molds.h"
@@ -63,6 +64,24 @@ TEST(BoltHoles, FollowThePlanesNormalWhereDirectionsAreOblique) {
     settings.bolts.count = 4;
     for (const auto& [s1, s2] : {std::pair{0.35, -0.1}, std::pair{-0.4, 0.3}})
         expectVerified(moldOf(sheared(ball(15, 4), s1, s2), settings));
+}
+
+TEST(BoltHoles, AndKeysAreAsManyAsAreOffered) {
+    for (const int wanted : {9, 12, mostRound}) {
+        MoldSettings settings;
+        settings.bolts.count = wanted;
+        Result<Mold> mold = moldOf(frusta(120, 90, 5, 3, lean), settings);
+        ASSERT_TRUE(mold) << mold.error().english();
+        expectVerified(mold);
+        EXPECT_EQ(count(*mold, "bolt"), wanted);
+        settings.bolts.count = 0;
+        settings.keys.count = wanted;
+        mold = moldOf(frusta(120, 90, 5, 3, lean), settings);
+        ASSERT_TRUE(mold) << mold.error().english();
+        expectVerified(mold);
+        EXPECT_EQ(count(*mold, "key"), wanted);
+        EXPECT_GE(mold->minWall, settings.leastSteel - 1e-6);
+    }
 }
 
 TEST(BoltHoles, WithoutRoomAreRefused) {

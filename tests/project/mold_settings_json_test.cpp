@@ -10,7 +10,7 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     MoldSettings settings;
     settings.wall = 7.5;
     settings.blockDensity = 1.24;
-    settings.layout = {3, 5, Arrangement::Packed, Alternation::Flip, 4.25};
+    settings.layout = {3, 5, Arrangement::Free, Alternation::Flip, 4.25, {{1, -2.5, 90}, {40, 0, 0}}};
     settings.shrink = {{1, 2, 3}, ShrinkFormula::Divide, {4, 5, 6}};
     settings.spout = {true, 8, 14, 5, 6, PourDirection::Turn270};
     settings.vents = {true, 2, 3};
@@ -41,4 +41,6 @@ TEST(MoldSettingsJson, TakesDefaultsForWhatFilesOfOldDoNotName) {
 TEST(MoldSettingsJson, UnknownNamesAreAnError) {
     EXPECT_ANY_THROW(static_cast<void>(
         moldSettingsFrom(nlohmann::ordered_json::parse(R"({"layout": {"arrangement": "heap"}})"))));
+    EXPECT_ANY_THROW(static_cast<void>(
+        moldSettingsFrom(nlohmann::ordered_json::parse(R"({"layout": {"places": [{"at": [1]}]}})"))));
 }
