@@ -1007,6 +1007,14 @@
         <source>Show or hide what is chosen.</source>
         <translation>Das Gewählte zeigen oder verbergen.</translation>
     </message>
+    <message>
+        <source>Fit what is &amp;chosen</source>
+        <translation>&amp;Gewähltes einpassen</translation>
+    </message>
+    <message>
+        <source>Bring what is chosen in the project into sight; else everything.</source>
+        <translation>Bringt ins Bild, was im Projekt gewählt ist, sonst alles.</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1132,6 +1140,14 @@
     <message>
         <source>Needs a cast in both variants.</source>
         <translation>Braucht einen Guss in beiden Varianten.</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>A half meets the cast</source>
+        <translation>Eine Hälfte trifft den Guss</translation>
     </message>
 </context>
 <context>

@@ -1007,6 +1007,14 @@
         <source>Show or hide what is chosen.</source>
         <translation>显示或隐藏所选项。</translation>
     </message>
+    <message>
+        <source>Fit what is &amp;chosen</source>
+        <translation>适合所选(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Bring what is chosen in the project into sight; else everything.</source>
+        <translation>使项目中所选内容可见；未选时显示全部。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1132,6 +1140,14 @@
     <message>
         <source>Needs a cast in both variants.</source>
         <translation>两个变型都需要有铸件。</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>A half meets the cast</source>
+        <translation>半模碰到铸件</translation>
     </message>
 </context>
 <context>

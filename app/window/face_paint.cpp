@@ -112,10 +112,12 @@ scene::PanelContent mapLegend(const FaceMap& map) {
     legend.title = titleOf(mode).toStdString();
     addNote(legend, noteOf(mode));
     const auto text = [&](int c) { return valueText(c * map.scale.step, map.scale, mode); };
+    const auto withUnit = [&](int c) { return text(c) + u' ' + unitOf(mode); };
     constexpr int last = scene::ValueScale::classes - 1;
-    addLine(legend, scene::valueColours()[last], Words::tr("%1 or more").arg(text(last)), map.areas[last]);
+    addLine(legend, scene::valueColours()[last], Words::tr("%1 or more").arg(withUnit(last)),
+            map.areas[last]);
     for (int c = last - 1; c >= 0; --c)
-        addLine(legend, scene::valueColours()[c], Words::tr("%1 to %2").arg(text(c), text(c + 1)),
+        addLine(legend, scene::valueColours()[c], Words::tr("%1 to %2").arg(text(c), withUnit(c + 1)),
                 map.areas[c]);
     if (mode == DisplayMode::UndercutDepth)
         addLine(legend, theme().scene.part, Words::tr("No undercut"), map.freeArea);
@@ -180,6 +182,16 @@ scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surfac
     return mode == DisplayMode::Undercuts
                ? undercutLegend(*surface.analysis, bench.figures(surface.drawn->mesh).area, required)
                : draftLegend(*surface.analysis, *surface.analysed(), required);
+}
+
+scene::PanelContent contactLegend(const std::array<ContactWays, 2>& contacts) {
+    scene::PanelContent legend;
+    if (!contacts[0].any() && !contacts[1].any())
+        return legend;
+    legend.title = Words::tr("Contact").toStdString();
+    legend.lines.push_back(
+        {theme().scene.undercut, {{Words::tr("A half meets the cast").toStdString()}}, {}});
+    return legend;
 }
 
 QString mapValueText(const FaceMap& map, double value) {

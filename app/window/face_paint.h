@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/contact_ways.h"
 #include "scene/overlay.h"
 #include "window/display_mode.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -24,6 +26,9 @@ struct FacePaint {
 /// What the colours mean, with units, and the area of each class.
 [[nodiscard]] scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surface,
                                             DisplayMode mode, const FaceMap* map);
+
+/// The same for a mold that opens: nothing where its halves meet nothing of the cast.
+[[nodiscard]] scene::PanelContent contactLegend(const std::array<ContactWays, 2>& contacts);
 
 /// A value of a map with its name and unit: "Deviation 1.23 mm".
 [[nodiscard]] QString mapValueText(const FaceMap& map, double value);

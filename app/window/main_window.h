@@ -226,6 +226,7 @@ private:
     void refreshHint();
     void refreshProperties(bool evenIfSame = false);
     void select(const QString& id);
+    void fitSelection();
     void chooseStep(int step);
     void applyTheme();
 

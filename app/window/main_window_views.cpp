@@ -113,14 +113,15 @@ void MainWindow::connectPane(ViewPane& pane) {
 
 void MainWindow::showViewMenu(const QPoint& place) {
     QMenu menu;
-    for (const QString& id : {u"fit"_s, u"home"_s, u"along-normal"_s, u"show-plane"_s, u"show-directions"_s,
-                              u"see-through"_s, u"lay-flat"_s, u"run"_s})
+    for (const QString& id : {u"fit"_s, u"fit-selection"_s, u"home"_s, u"along-normal"_s, u"show-plane"_s,
+                              u"show-directions"_s, u"see-through"_s, u"lay-flat"_s, u"run"_s})
         menu.addAction(m_actions[id]);
     menu.exec(place);
 }
 
 void MainWindow::connectViewActions() {
     m_actions.on(u"fit"_s, [this] { m_view->fitAll(); });
+    m_actions.on(u"fit-selection"_s, [this] { fitSelection(); });
     m_actions.on(u"home"_s, [this] { m_view->lookHome(); });
     m_actions.on(u"front"_s, [this] { m_view->lookFrom(-Eigen::Vector3d::UnitY()); });
     m_actions.on(u"right"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitX()); });
@@ -250,7 +251,7 @@ void MainWindow::refreshView(ViewPane& pane) {
     scene.setDirectionsVisible(m_visible.directions && !onlyShape);
     showCut(pane);
     scene.setDirectionLimits(m_bench.project().design.limits, m_selected.startsWith(u"direction"_s));
-    scene.setLegend(inMold ? scene::PanelContent()
+    scene.setLegend(inMold ? contactLegend(m_bench.contacts())
                            : legendIn(settings.mode, m_bench, surface, map, m_visible));
     view.setBrushRadius(m_tool == Tool::Paint ? m_bench.brushRadius() : 0);
     scene.setStateChip(stateChipFor(m_bench, settings.content));
@@ -325,6 +326,7 @@ void MainWindow::showMold(scene::Scene& scene, bool shown) {
     }
     scene.setHalves(half1, m_bench.drawnHalf(2), m_bench.mold()->partToMold.inverse(),
                     m_bench.project().cast->state.directions);
+    scene.setContacts(m_bench.contacts());
     scene.setOpening(m_viewBar->opening());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/contact_ways.h"
 #include "design/filling.h"
 #include "exchange/mesh_file.h"
 #include "mold/mold.h"
@@ -124,6 +125,9 @@ public:
     [[nodiscard]] bool moldIsCurrent() const;
     /// Half 1 or 2 of the mold, ready to be drawn. Precondition: there is a mold.
     [[nodiscard]] const scene::SharedDrawnMesh& drawnHalf(int side) const { return built().halves[side - 1]; }
+
+    /// What the halves of the mold meet of its cast on their way out; nothing where they are proved.
+    [[nodiscard]] const std::array<ContactWays, 2>& contacts() const { return built().contacts; }
 
     /// Where the mold's features stand.
     [[nodiscard]] MoldPlacing& placing() { return *m_placing; }
@@ -300,6 +304,7 @@ private:
     struct BuiltMold {
         std::shared_ptr<const Mold> mold;
         std::array<scene::SharedDrawnMesh, 2> halves;
+        std::array<ContactWays, 2> contacts; ///< with the cast
         std::shared_ptr<const CastResult> cast;
         MoldSettings settings;
     };

@@ -18,6 +18,7 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QSlider>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -58,6 +59,12 @@ void buildTheMold(WindowDriver& driver) {
     ASSERT_TRUE(driver.bench().mold());
     QTest::qWait(900); // the halves move apart
     driver.shot("06-mold");
+    auto* slider = driver.window().findChild<QSlider*>(QStringLiteral("opening"));
+    const scene::Scene& scene = driver.window().view().scene();
+    for (const Qt::Key key : {Qt::Key_Home, Qt::Key_Right, Qt::Key_PageUp, Qt::Key_PageUp, Qt::Key_End}) {
+        QTest::keyClick(slider, key);
+        EXPECT_EQ(scene.facesMet(), 0) << "proved halves meet nothing at " << slider->value();
+    }
     EXPECT_EQ(verdict(driver), QStringLiteral("Castable and opens"));
 }
 

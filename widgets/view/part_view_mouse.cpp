@@ -22,6 +22,7 @@ constexpr double zoomPerPixel = 1.006;
 constexpr double zoomPerNotch = 1.15;
 constexpr double largerPerNotch = 1.2; ///< of the brush's radius
 constexpr double keyStep = 8;          ///< logical pixels that an arrow key moves the brush
+constexpr double leastPinch = 0.2;     ///< of the size, by one event of two fingers
 constexpr int mostDabs = 12;           ///< between two places of the pointer
 
 scene::Held heldNow(Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
@@ -338,6 +339,19 @@ void PartView::keyPressEvent(QKeyEvent* event) {
     }
     showBrush(m_last);
     event->accept();
+}
+
+bool PartView::event(QEvent* event) {
+    if (event->type() != QEvent::NativeGesture)
+        return RenderView::event(event);
+    const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+    if (gesture->gestureType() != Qt::ZoomNativeGesture)
+        return RenderView::event(event);
+    const Eigen::Vector2d at = pixel(gesture->position());
+    setCamera(
+        scene::zoomedAt(m_camera, std::max(1 + gesture->value(), leastPinch), at.x(), at.y(), viewSize()));
+    event->accept();
+    return true;
 }
 
 bool PartView::cancelDrag() {
