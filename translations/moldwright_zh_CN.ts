@@ -3986,8 +3986,8 @@
         <translation>&lt;b&gt;点击&lt;/b&gt;一个面。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
-        <translation>在零件上&lt;b&gt;涂画&lt;/b&gt;。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;Alt+滚轮&lt;/b&gt;改变大小，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+        <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;F&lt;/b&gt; or &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>在零件上&lt;b&gt;涂画&lt;/b&gt;。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;F&lt;/b&gt; 或 &lt;b&gt;Alt+滚轮&lt;/b&gt;改变大小，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
     </message>
     <message>
         <source>The part bends; plane, pins and draft may change meanwhile. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
@@ -4192,6 +4192,10 @@
     <message>
         <source>Close the section</source>
         <translation>关闭剖面</translation>
+    </message>
+    <message>
+        <source>Facing the view</source>
+        <translation>正对视图</translation>
     </message>
 </context>
 <context>

@@ -168,6 +168,23 @@ FacePaint paintFor(const ShownSurface& surface, DisplayMode mode, const FaceMap*
     return paint;
 }
 
+namespace {
+
+void accentuate(std::vector<scene::Rgb>& painted, const IndexedMesh& mesh, const Eigen::AlignedBox3d& place) {
+    for (int f = 0; f < static_cast<int>(painted.size()) && f < mesh.faceCount(); ++f)
+        for (int k = 0; k < 3; ++k)
+            if (place.contains(mesh.corner(f, k)))
+                painted[static_cast<std::size_t>(f)] = theme().scene.accent;
+}
+
+} // namespace
+
+void pointAt(FacePaint& paint, const ShownSurface& surface, const Eigen::AlignedBox3d& place) {
+    accentuate(paint.faces, *surface.drawn->mesh, place);
+    if (surface.drawn->standIn)
+        accentuate(paint.standIn, *surface.drawn->standIn->mesh, place);
+}
+
 scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surface, DisplayMode mode,
                               const FaceMap* map) {
     if (map)

@@ -5,6 +5,8 @@
 #include "scene/overlay.h"
 #include "window/display_mode.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <optional>
 #include <vector>
@@ -22,6 +24,9 @@ struct FacePaint {
     std::vector<scene::Rgb> standIn; ///< of its stand-in
 };
 [[nodiscard]] FacePaint paintFor(const ShownSurface& surface, DisplayMode mode, const FaceMap* map);
+
+/// Paints the faces that reach into a box, so that a place can be pointed at.
+void pointAt(FacePaint& paint, const ShownSurface& surface, const Eigen::AlignedBox3d& place);
 
 /// What the colours mean, with units, and the area of each class.
 [[nodiscard]] scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surface,

@@ -46,6 +46,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int historyRow = 24; ///< px
+constexpr int pointingMilliseconds = 1500;
 
 /// The step of the job that a row of the tree belongs to.
 Step stepOf(const QString& id) {
@@ -85,6 +86,12 @@ MainWindow::MainWindow(Workbench& bench, Recovery& recovery, QWidget* parent)
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(0);
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
+    m_pointing.setSingleShot(true);
+    m_pointing.setInterval(pointingMilliseconds);
+    connect(&m_pointing, &QTimer::timeout, this, [this] {
+        m_pointedAt.setEmpty();
+        refreshSoon();
+    });
     m_refreshViews.setSingleShot(true);
     m_refreshViews.setInterval(0);
     connect(&m_refreshViews, &QTimer::timeout, this, &MainWindow::refreshNextView);

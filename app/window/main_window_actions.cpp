@@ -241,8 +241,7 @@ void MainWindow::connectPanels() {
             return select(variantId(value.toInt()));
         applyProperty(m_bench, m_properties->pageId(), id, value, false);
     });
-    connect(m_messages, &MessageList::showMe, this,
-            [this](const Eigen::AlignedBox3d& place) { m_view->frame(place); });
+    connect(m_messages, &MessageList::showMe, this, &MainWindow::showPlace);
     connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {
         if (row >= 0 && m_bench.editable())
             m_bench.document().goTo(static_cast<std::size_t>(row));
@@ -345,7 +344,7 @@ void MainWindow::walkZones(int way) {
 void MainWindow::useThemeChoice(ThemeChoice choice) {
     preferences::setThemeChoice(choice);
     useTheme(choice);
-    applyTheme();
+    QTimer::singleShot(0, this, &MainWindow::applyTheme); // both at once would be felt
 }
 
 void MainWindow::escape() {

@@ -121,7 +121,8 @@ void MainWindow::showViewMenu(const QPoint& place) {
 
 void MainWindow::connectViewActions() {
     m_actions.on(u"fit"_s, [this] { m_view->fitAll(); });
-    m_actions.on(u"fit-selection"_s, [this] { fitSelection(); });
+    m_actions.on(u"fit-selection"_s,
+                 [this] { m_tool == Tool::Paint ? m_view->sizeBrush() : fitSelection(); });
     m_actions.on(u"home"_s, [this] { m_view->lookHome(); });
     m_actions.on(u"front"_s, [this] { m_view->lookFrom(-Eigen::Vector3d::UnitY()); });
     m_actions.on(u"right"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitX()); });
@@ -286,10 +287,19 @@ void MainWindow::showSurface(PartView& view, const ShownSurface& surface, Displa
         return;
     view.setCoarse(surface.coarse);
     view.setLive(m_bench.running() && !m_bench.resting());
-    const FacePaint paint = mode == DisplayMode::Importance ? importancePaint(m_bench, surface, m_visible)
-                                                            : paintFor(surface, mode, map);
+    FacePaint paint = mode == DisplayMode::Importance ? importancePaint(m_bench, surface, m_visible)
+                                                      : paintFor(surface, mode, map);
+    if (!m_pointedAt.isEmpty())
+        pointAt(paint, surface, m_pointedAt);
     scene.setFaceColours(paint.faces);
     scene.setStandInColours(paint.standIn);
+}
+
+void MainWindow::showPlace(const Eigen::AlignedBox3d& place) {
+    m_view->frame(place);
+    m_pointedAt = place;
+    m_pointing.start();
+    refreshSoon();
 }
 
 void MainWindow::showCut(ViewPane& pane) {
@@ -297,6 +307,12 @@ void MainWindow::showCut(ViewPane& pane) {
     auto& cut = settings.cut;
     const std::optional<MoldState> state = m_bench.stateIn(settings.content);
     scene::Scene& scene = pane.view().scene();
+    if (cut && cut->across == SectionCut::Across::View && !cut->normal && scene.surface()) {
+        cut->normal = pane.view().camera().backwards();
+        cut->offset = scene.middle().dot(*cut->normal);
+        cut->flipped = false; // what is before the middle goes
+        pane.setSettings(settings);
+    }
     if (const auto plane = cut && !cut->flipped ? planeOf(*cut, state) : std::nullopt) {
         cut->flipped = plane->normal.dot(pane.view().camera().backwards()) < 0;
         pane.setSettings(settings);
@@ -305,7 +321,7 @@ void MainWindow::showCut(ViewPane& pane) {
     if (!cut || !scene.surface() || !scene.cut())
         return;
     // Where the section lies is counted along the plane's own normal, whichever side stays.
-    const PartingPlane from = *planeOf({cut->across, 0, false}, state);
+    const PartingPlane from = *planeOf({cut->across, 0, false, cut->normal}, state);
     const Eigen::VectorXd along = (scene.surface()->bounds() * from.normal).array() - from.offset;
     pane.setCutRange(along.minCoeff(), along.maxCoeff());
 }

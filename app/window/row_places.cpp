@@ -16,7 +16,7 @@ using Eigen::AlignedBox3d;
 
 namespace {
 
-constexpr double aboutPoint = 0.08; ///< of the part's diagonal, to each side of a point
+constexpr double aboutPoint = 0.12; ///< of the part's diagonal, to each side of a point
 
 AlignedBox3d aroundPoint(const Eigen::Vector3d& point, const Workbench& bench) {
     const double reach = aboutPoint * bench.figures(bench.project().part).box.diagonal().norm();

@@ -100,6 +100,7 @@ void Workbench::run() {
 void Workbench::startRun(const std::shared_ptr<const Points>& start) {
     const Project from = m_document.committed();
     m_stream = std::make_shared<FrameStream>();
+    m_stream->setPickers(m_picking);
     m_control = std::make_shared<RunControl>();
     m_progress.clear();
     m_frame.reset();
@@ -161,7 +162,7 @@ void Workbench::pullFrames() {
     if (m_backTo == 0) {
         m_frame = std::move(taken.newest);
         placePins();
-        makePicker();
+        setPicking(m_picking); // it may have been made before a tool was taken
     }
     Q_EMIT changed();
 }
