@@ -48,10 +48,17 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr std::chrono::milliseconds betweenThemes(20);
+
+} // namespace
 
 void MainWindow::connectActions() {
     connectFileActions();
@@ -344,7 +351,8 @@ void MainWindow::walkZones(int way) {
 void MainWindow::useThemeChoice(ThemeChoice choice) {
     preferences::setThemeChoice(choice);
     useTheme(choice);
-    QTimer::singleShot(0, this, &MainWindow::applyTheme); // both at once would be felt
+    // Both at once would be felt: the window hears and paints in between.
+    QTimer::singleShot(betweenThemes, this, &MainWindow::applyTheme);
 }
 
 void MainWindow::escape() {
