@@ -1007,6 +1007,14 @@
         <source>Show or hide what is chosen.</source>
         <translation>Das Gewählte zeigen oder verbergen.</translation>
     </message>
+    <message>
+        <source>Fit what is &amp;chosen</source>
+        <translation>&amp;Gewähltes einpassen</translation>
+    </message>
+    <message>
+        <source>Bring what is chosen in the project into sight; else everything.</source>
+        <translation>Bringt ins Bild, was im Projekt gewählt ist, sonst alles.</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1132,6 +1140,14 @@
     <message>
         <source>Needs a cast in both variants.</source>
         <translation>Braucht einen Guss in beiden Varianten.</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>A half meets the cast</source>
+        <translation>Eine Hälfte trifft den Guss</translation>
     </message>
 </context>
 <context>
@@ -4018,8 +4034,8 @@
         <translation>Eine Fläche &lt;b&gt;anklicken&lt;/b&gt;. %1 Mit &lt;b&gt;Strg&lt;/b&gt; umgekehrt, &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
-        <translation>Über das Teil &lt;b&gt;malen&lt;/b&gt;. %1 Mit &lt;b&gt;Strg&lt;/b&gt; umgekehrt, &lt;b&gt;Alt+Mausrad&lt;/b&gt; ändert die Größe, &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
+        <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;F&lt;/b&gt; or &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>Über das Teil &lt;b&gt;malen&lt;/b&gt;. %1 Mit &lt;b&gt;Strg&lt;/b&gt; umgekehrt, &lt;b&gt;F&lt;/b&gt; oder &lt;b&gt;Alt+Mausrad&lt;/b&gt; ändert die Größe, &lt;b&gt;Esc&lt;/b&gt; beendet.</translation>
     </message>
     <message>
         <source>The part bends; plane, pins and draft may change meanwhile. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
@@ -4224,6 +4240,10 @@
     <message>
         <source>Close the section</source>
         <translation>Schnitt schließen</translation>
+    </message>
+    <message>
+        <source>Facing the view</source>
+        <translation>Zur Ansicht gewandt</translation>
     </message>
 </context>
 <context>

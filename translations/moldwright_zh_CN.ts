@@ -1007,6 +1007,14 @@
         <source>Show or hide what is chosen.</source>
         <translation>显示或隐藏所选项。</translation>
     </message>
+    <message>
+        <source>Fit what is &amp;chosen</source>
+        <translation>适合所选(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Bring what is chosen in the project into sight; else everything.</source>
+        <translation>使项目中所选内容可见；未选时显示全部。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1132,6 +1140,14 @@
     <message>
         <source>Needs a cast in both variants.</source>
         <translation>两个变型都需要有铸件。</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>A half meets the cast</source>
+        <translation>半模碰到铸件</translation>
     </message>
 </context>
 <context>
@@ -4018,8 +4034,8 @@
         <translation>&lt;b&gt;点击&lt;/b&gt;一个面。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
-        <translation>在零件上&lt;b&gt;涂画&lt;/b&gt;。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;Alt+滚轮&lt;/b&gt;改变大小，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
+        <source>&lt;b&gt;Draw&lt;/b&gt; over the part. %1 With &lt;b&gt;Ctrl&lt;/b&gt; the opposite, &lt;b&gt;F&lt;/b&gt; or &lt;b&gt;Alt+wheel&lt;/b&gt; resizes, &lt;b&gt;Esc&lt;/b&gt; leaves.</source>
+        <translation>在零件上&lt;b&gt;涂画&lt;/b&gt;。%1 按住 &lt;b&gt;Ctrl&lt;/b&gt; 则相反，&lt;b&gt;F&lt;/b&gt; 或 &lt;b&gt;Alt+滚轮&lt;/b&gt;改变大小，&lt;b&gt;Esc&lt;/b&gt; 退出。</translation>
     </message>
     <message>
         <source>The part bends; plane, pins and draft may change meanwhile. &lt;b&gt;Space&lt;/b&gt; holds it, &lt;b&gt;Ctrl+.&lt;/b&gt; stops it.</source>
@@ -4224,6 +4240,10 @@
     <message>
         <source>Close the section</source>
         <translation>关闭剖面</translation>
+    </message>
+    <message>
+        <source>Facing the view</source>
+        <translation>正对视图</translation>
     </message>
 </context>
 <context>

@@ -57,6 +57,9 @@ std::span<const ActionSpec> actionTable() {
 
         {"fit", viewMenu, QT_TRANSLATE_NOOP("Actions", "&Fit all"), "fit", "Shift+F",
          QT_TRANSLATE_NOOP("Actions", "Bring everything into sight."), Needs::Part},
+        {"fit-selection", viewMenu, QT_TRANSLATE_NOOP("Actions", "Fit what is &chosen"), "fit", "F",
+         QT_TRANSLATE_NOOP("Actions", "Bring what is chosen in the project into sight; else everything."),
+         Needs::Part},
         {"home", viewMenu, QT_TRANSLATE_NOOP("Actions", "&Home view"), "", "0",
          QT_TRANSLATE_NOOP("Actions", "Look from the front, right and above."), Needs::Part},
         {"front", viewMenu, QT_TRANSLATE_NOOP("Actions", "F&ront"), "", "1",
@@ -387,8 +390,7 @@ std::span<const ActionSpec> actionTable() {
         {"keys", helpMenu, QT_TRANSLATE_NOOP("Actions", "&Keys and mouse"), "keys", "?",
          QT_TRANSLATE_NOOP("Actions", "Show all keys on one sheet.")},
         {"tour", helpMenu, QT_TRANSLATE_NOOP("Actions", "Take the &tour"), "tour", "",
-         QT_TRANSLATE_NOOP("Actions", "Five steps from a part to its mold, at your own pace."),
-         Needs::Nothing},
+         QT_TRANSLATE_NOOP("Actions", "Five steps from a part to its mold, at your own pace.")},
         {"about", helpMenu, QT_TRANSLATE_NOOP("Actions", "&About Moldwright"), "info", "",
          QT_TRANSLATE_NOOP("Actions", "Version, licence, libraries.")},
     };

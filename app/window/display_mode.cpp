@@ -19,7 +19,11 @@ struct Words {
 
 std::optional<PartingPlane> planeOf(const SectionCut& cut, const std::optional<MoldState>& state) {
     PartingPlane plane;
-    if (cut.across != SectionCut::Across::Plane)
+    if (cut.across == SectionCut::Across::View && !cut.normal)
+        return std::nullopt;
+    if (cut.across == SectionCut::Across::View)
+        plane.normal = *cut.normal;
+    else if (cut.across != SectionCut::Across::Plane)
         plane.normal = Eigen::Vector3d::Unit(static_cast<int>(cut.across) - 1);
     else if (state)
         plane = state->plane;

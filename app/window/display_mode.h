@@ -30,17 +30,20 @@ enum class ViewContent { Newest, Part, Compared };
 
 /// Where a view is cut open.
 struct SectionCut {
-    enum class Across { Plane, X, Y, Z };
+    enum class Across { Plane, X, Y, Z, View };
     Across across = Across::Plane;
     double offset = 0; ///< mm, from the parting plane along its normal, or the coordinate
     /// What is beyond the section along that normal or axis stays, not what is before it. None: not decided
     /// yet; the side that the section hides from the eye is to stay.
     std::optional<bool> flipped = {};
+    /// Of one that faces the eye, away from the part. None: not decided yet; that of the view is to be taken.
+    std::optional<Eigen::Vector3d> normal = {};
 
     bool operator==(const SectionCut&) const = default;
 };
 
-/// The plane of a cut; what lies before it (n·x > o) goes. None where there is no parting plane to cut at.
+/// The plane of a cut; what lies before it (n·x > o) goes. None where there is no parting plane to cut at, or
+/// it is not decided how the cut lies.
 [[nodiscard]] std::optional<PartingPlane> planeOf(const SectionCut& cut,
                                                   const std::optional<MoldState>& state);
 

@@ -112,10 +112,12 @@ scene::PanelContent mapLegend(const FaceMap& map) {
     legend.title = titleOf(mode).toStdString();
     addNote(legend, noteOf(mode));
     const auto text = [&](int c) { return valueText(c * map.scale.step, map.scale, mode); };
+    const auto withUnit = [&](int c) { return text(c) + u' ' + unitOf(mode); };
     constexpr int last = scene::ValueScale::classes - 1;
-    addLine(legend, scene::valueColours()[last], Words::tr("%1 or more").arg(text(last)), map.areas[last]);
+    addLine(legend, scene::valueColours()[last], Words::tr("%1 or more").arg(withUnit(last)),
+            map.areas[last]);
     for (int c = last - 1; c >= 0; --c)
-        addLine(legend, scene::valueColours()[c], Words::tr("%1 to %2").arg(text(c), text(c + 1)),
+        addLine(legend, scene::valueColours()[c], Words::tr("%1 to %2").arg(text(c), withUnit(c + 1)),
                 map.areas[c]);
     if (mode == DisplayMode::UndercutDepth)
         addLine(legend, theme().scene.part, Words::tr("No undercut"), map.freeArea);
@@ -166,6 +168,23 @@ FacePaint paintFor(const ShownSurface& surface, DisplayMode mode, const FaceMap*
     return paint;
 }
 
+namespace {
+
+void accentuate(std::vector<scene::Rgb>& painted, const IndexedMesh& mesh, const Eigen::AlignedBox3d& place) {
+    for (int f = 0; f < static_cast<int>(painted.size()) && f < mesh.faceCount(); ++f)
+        for (int k = 0; k < 3; ++k)
+            if (place.contains(mesh.corner(f, k)))
+                painted[static_cast<std::size_t>(f)] = theme().scene.accent;
+}
+
+} // namespace
+
+void pointAt(FacePaint& paint, const ShownSurface& surface, const Eigen::AlignedBox3d& place) {
+    accentuate(paint.faces, *surface.drawn->mesh, place);
+    if (surface.drawn->standIn)
+        accentuate(paint.standIn, *surface.drawn->standIn->mesh, place);
+}
+
 scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surface, DisplayMode mode,
                               const FaceMap* map) {
     if (map)
@@ -180,6 +199,16 @@ scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surfac
     return mode == DisplayMode::Undercuts
                ? undercutLegend(*surface.analysis, bench.figures(surface.drawn->mesh).area, required)
                : draftLegend(*surface.analysis, *surface.analysed(), required);
+}
+
+scene::PanelContent contactLegend(const std::array<ContactWays, 2>& contacts) {
+    scene::PanelContent legend;
+    if (!contacts[0].any() && !contacts[1].any())
+        return legend;
+    legend.title = Words::tr("Contact").toStdString();
+    legend.lines.push_back(
+        {theme().scene.undercut, {{Words::tr("A half meets the cast").toStdString()}}, {}});
+    return legend;
 }
 
 QString mapValueText(const FaceMap& map, double value) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "castability/contact_ways.h"
 #include "scene/overlay.h"
 #include "window/display_mode.h"
 
+#include <Eigen/Geometry>
+
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,9 +25,15 @@ struct FacePaint {
 };
 [[nodiscard]] FacePaint paintFor(const ShownSurface& surface, DisplayMode mode, const FaceMap* map);
 
+/// Paints the faces that reach into a box, so that a place can be pointed at.
+void pointAt(FacePaint& paint, const ShownSurface& surface, const Eigen::AlignedBox3d& place);
+
 /// What the colours mean, with units, and the area of each class.
 [[nodiscard]] scene::PanelContent legendFor(const Workbench& bench, const ShownSurface& surface,
                                             DisplayMode mode, const FaceMap* map);
+
+/// The same for a mold that opens: nothing where its halves meet nothing of the cast.
+[[nodiscard]] scene::PanelContent contactLegend(const std::array<ContactWays, 2>& contacts);
 
 /// A value of a map with its name and unit: "Deviation 1.23 mm".
 [[nodiscard]] QString mapValueText(const FaceMap& map, double value);

@@ -7,10 +7,12 @@
 
 namespace moldwright {
 
-ShownFrame shownFrame(const DesignFrame& frame) {
+ShownFrame shownFrame(const DesignFrame& frame, bool withPicker) {
     ShownFrame shown{frame, scene::sketchedMesh(frame.shape), {}, {}, {}};
     if (!frame.shape)
         return shown;
+    if (withPicker)
+        shown.picker = std::make_shared<const scene::SurfacePicker>(frame.shape);
     const bool sketched = shown.drawn->sketched();
     const IndexedMesh& seen = sketched ? *shown.drawn->standIn->mesh : *frame.shape;
     const double draft = frame.settings.draftDegrees;
@@ -21,7 +23,7 @@ ShownFrame shownFrame(const DesignFrame& frame) {
 
 void FrameStream::put(const DesignFrame& frame) {
     // What the view needs is made here, so that the interface thread need not.
-    ShownFrame shown = shownFrame(frame);
+    ShownFrame shown = shownFrame(frame, m_pickers);
     const std::lock_guard lock(m_mutex);
     m_waiting.newest = std::move(shown);
     m_waiting.frames.push_back(frame);

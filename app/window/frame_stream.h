@@ -7,6 +7,7 @@
 #include "scene/drawn_mesh.h"
 #include "scene/surface_picker.h"
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -23,7 +24,7 @@ struct ShownFrame {
 };
 
 /// Made ready to be shown.
-[[nodiscard]] ShownFrame shownFrame(const DesignFrame& frame);
+[[nodiscard]] ShownFrame shownFrame(const DesignFrame& frame, bool withPicker);
 
 /// What a view takes from a run at a time.
 struct TakenFrames {
@@ -42,7 +43,11 @@ public:
 
     [[nodiscard]] TakenFrames take();
 
+    /// Whether frames come with a picker.
+    void setPickers(bool wanted) { m_pickers = wanted; }
+
 private:
+    std::atomic<bool> m_pickers = false;
     std::mutex m_mutex;
     TakenFrames m_waiting;
 };

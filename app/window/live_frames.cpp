@@ -9,8 +9,8 @@ LiveFrames::~LiveFrames() {
     (void)m_waiting.take();
 }
 
-void LiveFrames::ask(int number, const DesignFrame& frame) {
-    m_waiting.put({number, frame});
+void LiveFrames::ask(int number, const DesignFrame& frame, bool withPicker) {
+    m_waiting.put({number, frame, withPicker});
     m_thread.post([this] { work(); });
 }
 
@@ -18,9 +18,10 @@ void LiveFrames::work() {
     const std::optional<Request> request = m_waiting.take();
     if (!request)
         return; // a newer one took the place of the one that woke this
-    QMetaObject::invokeMethod(this, [this, number = request->number, shown = shownFrame(request->frame)] {
-        Q_EMIT answered(number, shown);
-    });
+    QMetaObject::invokeMethod(
+        this, [this, number = request->number, shown = shownFrame(request->frame, request->withPicker)] {
+            Q_EMIT answered(number, shown);
+        });
 }
 
 } // namespace moldwright

@@ -18,7 +18,7 @@ public:
     ~LiveFrames() override;
 
     /// `number` tells the answer apart from those to earlier requests.
-    void ask(int number, const DesignFrame& frame);
+    void ask(int number, const DesignFrame& frame, bool withPicker);
 
 Q_SIGNALS:
     void answered(int number, const moldwright::ShownFrame& frame);
@@ -29,6 +29,7 @@ private:
     struct Request {
         int number;
         DesignFrame frame;
+        bool withPicker;
     };
     Latest<Request> m_waiting;
     WorkThread m_thread;

@@ -25,6 +25,7 @@
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/recovery.h"
+#include "window/row_places.h"
 #include "window/tour.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
@@ -45,6 +46,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int historyRow = 24; ///< px
+constexpr int pointingMilliseconds = 1500;
 
 /// The step of the job that a row of the tree belongs to.
 Step stepOf(const QString& id) {
@@ -84,6 +86,12 @@ MainWindow::MainWindow(Workbench& bench, Recovery& recovery, QWidget* parent)
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(0);
     connect(&m_refresh, &QTimer::timeout, this, &MainWindow::refresh);
+    m_pointing.setSingleShot(true);
+    m_pointing.setInterval(pointingMilliseconds);
+    connect(&m_pointing, &QTimer::timeout, this, [this] {
+        m_pointedAt.setEmpty();
+        refreshSoon();
+    });
     m_refreshViews.setSingleShot(true);
     m_refreshViews.setInterval(0);
     connect(&m_refreshViews, &QTimer::timeout, this, &MainWindow::refreshNextView);
@@ -317,14 +325,15 @@ void MainWindow::select(const QString& id) {
         return;
     m_selected = id;
     m_tree->select(id);
-    const int number = obstructionNumber(id);
-    if (number >= 0 && number < static_cast<int>(m_bench.obstructions().size()))
-        m_view->frame(m_bench.placeOf(number));
-    const int undercut = undercutNumber(id);
-    if (undercut >= 0 && undercut < static_cast<int>(m_bench.undercuts().size()))
-        m_view->frame(m_bench.placeOfUndercut(undercut));
+    if (obstructionNumber(id) >= 0 || undercutNumber(id) >= 0)
+        fitSelection();
     m_workflow->setCurrentStep(static_cast<int>(stepOf(id)));
     refreshSoon();
+}
+
+void MainWindow::fitSelection() {
+    const Eigen::AlignedBox3d place = placeOfRow(m_selected, m_bench);
+    place.isEmpty() ? m_view->fitAll() : m_view->frame(place);
 }
 
 void MainWindow::chooseStep(int step) {

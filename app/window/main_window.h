@@ -189,6 +189,8 @@ private:
     [[nodiscard]] std::vector<scene::Chip> guideChips(const ViewPane& pane) const;
     /// Whether a view shows another variant than the current one.
     [[nodiscard]] bool showsOther(const ViewPane& pane) const;
+    /// Brings a place into sight and points at its faces for a moment.
+    void showPlace(const Eigen::AlignedBox3d& place);
     void showMold(scene::Scene& scene, bool shown);
     [[nodiscard]] bool moldShown() const;
     void useLook();
@@ -226,6 +228,7 @@ private:
     void refreshHint();
     void refreshProperties(bool evenIfSame = false);
     void select(const QString& id);
+    void fitSelection();
     void chooseStep(int step);
     void applyTheme();
 
@@ -238,6 +241,8 @@ private:
     QTimer m_refresh;
     QTimer m_refreshViews;
     std::vector<ViewPane*> m_oldViews; ///< that are still to be refreshed, the next one last
+    Eigen::AlignedBox3d m_pointedAt;   ///< while m_pointing runs; else empty
+    QTimer m_pointing;
     Visibility m_visible;
     QString m_selected = QStringLiteral("part");
     Tool m_tool = Tool::None;

@@ -48,10 +48,17 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr std::chrono::milliseconds betweenThemes(20);
+
+} // namespace
 
 void MainWindow::connectActions() {
     connectFileActions();
@@ -241,8 +248,7 @@ void MainWindow::connectPanels() {
             return select(variantId(value.toInt()));
         applyProperty(m_bench, m_properties->pageId(), id, value, false);
     });
-    connect(m_messages, &MessageList::showMe, this,
-            [this](const Eigen::AlignedBox3d& place) { m_view->frame(place); });
+    connect(m_messages, &MessageList::showMe, this, &MainWindow::showPlace);
     connect(m_history, &QListWidget::currentRowChanged, this, [this](int row) {
         if (row >= 0 && m_bench.editable())
             m_bench.document().goTo(static_cast<std::size_t>(row));
@@ -345,7 +351,8 @@ void MainWindow::walkZones(int way) {
 void MainWindow::useThemeChoice(ThemeChoice choice) {
     preferences::setThemeChoice(choice);
     useTheme(choice);
-    applyTheme();
+    // Both at once would be felt: the window hears and paints in between.
+    QTimer::singleShot(betweenThemes, this, &MainWindow::applyTheme);
 }
 
 void MainWindow::escape() {

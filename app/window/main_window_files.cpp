@@ -139,9 +139,7 @@ QByteArray MainWindow::thumbnail() {
     QByteArray png;
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
-    m_view->grabFramebuffer()
-        .scaled(256, 192, Qt::KeepAspectRatio, Qt::SmoothTransformation)
-        .save(&buffer, "PNG");
+    m_view->picture().scaled(256, 192, Qt::KeepAspectRatio, Qt::SmoothTransformation).save(&buffer, "PNG");
     return png;
 }
 
@@ -216,7 +214,7 @@ void MainWindow::chooseWeightsToExport() {
 
 void MainWindow::saveScreenshot() {
     const QString file = fileToWrite(tr("Save a picture"), u".png"_s, tr("PNG pictures (*.png)"));
-    if (!file.isEmpty() && !m_view->grabFramebuffer().save(file))
+    if (!file.isEmpty() && !m_view->picture().save(file))
         m_bench.say(Standing::Failing, tr("The picture could not be written to %1.").arg(file));
 }
 

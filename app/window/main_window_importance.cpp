@@ -83,9 +83,9 @@ QString MainWindow::paintHint() const {
             .arg(where);
     if (m_tool != Tool::Paint)
         return tr("<b>Click</b> a face. %1 With <b>Ctrl</b> the opposite, <b>Esc</b> leaves.").arg(where);
-    return tr("<b>Draw</b> over the part. %1 With <b>Ctrl</b> the opposite, <b>Alt+wheel</b> resizes, "
-              "<b>Esc</b> "
-              "leaves.")
+    return tr("<b>Draw</b> over the part. %1 With <b>Ctrl</b> the opposite, <b>F</b> or <b>Alt+wheel</b> "
+              "resizes, "
+              "<b>Esc</b> leaves.")
         .arg(where);
 }
 

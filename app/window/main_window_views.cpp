@@ -113,14 +113,16 @@ void MainWindow::connectPane(ViewPane& pane) {
 
 void MainWindow::showViewMenu(const QPoint& place) {
     QMenu menu;
-    for (const QString& id : {u"fit"_s, u"home"_s, u"along-normal"_s, u"show-plane"_s, u"show-directions"_s,
-                              u"see-through"_s, u"lay-flat"_s, u"run"_s})
+    for (const QString& id : {u"fit"_s, u"fit-selection"_s, u"home"_s, u"along-normal"_s, u"show-plane"_s,
+                              u"show-directions"_s, u"see-through"_s, u"lay-flat"_s, u"run"_s})
         menu.addAction(m_actions[id]);
     menu.exec(place);
 }
 
 void MainWindow::connectViewActions() {
     m_actions.on(u"fit"_s, [this] { m_view->fitAll(); });
+    m_actions.on(u"fit-selection"_s,
+                 [this] { m_tool == Tool::Paint ? m_view->sizeBrush() : fitSelection(); });
     m_actions.on(u"home"_s, [this] { m_view->lookHome(); });
     m_actions.on(u"front"_s, [this] { m_view->lookFrom(-Eigen::Vector3d::UnitY()); });
     m_actions.on(u"right"_s, [this] { m_view->lookFrom(Eigen::Vector3d::UnitX()); });
@@ -250,7 +252,7 @@ void MainWindow::refreshView(ViewPane& pane) {
     scene.setDirectionsVisible(m_visible.directions && !onlyShape);
     showCut(pane);
     scene.setDirectionLimits(m_bench.project().design.limits, m_selected.startsWith(u"direction"_s));
-    scene.setLegend(inMold ? scene::PanelContent()
+    scene.setLegend(inMold ? contactLegend(m_bench.contacts())
                            : legendIn(settings.mode, m_bench, surface, map, m_visible));
     view.setBrushRadius(m_tool == Tool::Paint ? m_bench.brushRadius() : 0);
     scene.setStateChip(stateChipFor(m_bench, settings.content));
@@ -285,10 +287,19 @@ void MainWindow::showSurface(PartView& view, const ShownSurface& surface, Displa
         return;
     view.setCoarse(surface.coarse);
     view.setLive(m_bench.running() && !m_bench.resting());
-    const FacePaint paint = mode == DisplayMode::Importance ? importancePaint(m_bench, surface, m_visible)
-                                                            : paintFor(surface, mode, map);
+    FacePaint paint = mode == DisplayMode::Importance ? importancePaint(m_bench, surface, m_visible)
+                                                      : paintFor(surface, mode, map);
+    if (!m_pointedAt.isEmpty())
+        pointAt(paint, surface, m_pointedAt);
     scene.setFaceColours(paint.faces);
     scene.setStandInColours(paint.standIn);
+}
+
+void MainWindow::showPlace(const Eigen::AlignedBox3d& place) {
+    m_view->frame(place);
+    m_pointedAt = place;
+    m_pointing.start();
+    refreshSoon();
 }
 
 void MainWindow::showCut(ViewPane& pane) {
@@ -296,6 +307,12 @@ void MainWindow::showCut(ViewPane& pane) {
     auto& cut = settings.cut;
     const std::optional<MoldState> state = m_bench.stateIn(settings.content);
     scene::Scene& scene = pane.view().scene();
+    if (cut && cut->across == SectionCut::Across::View && !cut->normal && scene.surface()) {
+        cut->normal = pane.view().camera().backwards();
+        cut->offset = scene.middle().dot(*cut->normal);
+        cut->flipped = false; // what is before the middle goes
+        pane.setSettings(settings);
+    }
     if (const auto plane = cut && !cut->flipped ? planeOf(*cut, state) : std::nullopt) {
         cut->flipped = plane->normal.dot(pane.view().camera().backwards()) < 0;
         pane.setSettings(settings);
@@ -304,7 +321,7 @@ void MainWindow::showCut(ViewPane& pane) {
     if (!cut || !scene.surface() || !scene.cut())
         return;
     // Where the section lies is counted along the plane's own normal, whichever side stays.
-    const PartingPlane from = *planeOf({cut->across, 0, false}, state);
+    const PartingPlane from = *planeOf({cut->across, 0, false, cut->normal}, state);
     const Eigen::VectorXd along = (scene.surface()->bounds() * from.normal).array() - from.offset;
     pane.setCutRange(along.minCoeff(), along.maxCoeff());
 }
@@ -325,6 +342,7 @@ void MainWindow::showMold(scene::Scene& scene, bool shown) {
     }
     scene.setHalves(half1, m_bench.drawnHalf(2), m_bench.mold()->partToMold.inverse(),
                     m_bench.project().cast->state.directions);
+    scene.setContacts(m_bench.contacts());
     scene.setOpening(m_viewBar->opening());
 }
 

@@ -339,7 +339,10 @@ scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content) {
     else
         words = Words::tr("Part as opened");
     const std::string name = other ? other->variantName : project.others.empty() ? "" : project.variantName;
-    return {{}, {{std::nullopt, {{name, {}, true}, {words.toStdString()}}, {}}}};
+    std::vector<scene::PanelContent::Run> runs = {{words.toStdString()}};
+    if (!name.empty())
+        runs.insert(runs.begin(), {name, {}, true});
+    return {{}, {{std::nullopt, std::move(runs), {}}}};
 }
 
 } // namespace moldwright

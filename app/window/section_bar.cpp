@@ -43,7 +43,8 @@ SectionBar::SectionBar(const QString& name, QWidget* parent) : QFrame(parent) {
     row->setSpacing(6);
     row->addWidget(new QLabel(tr("Section"), this));
     m_across = new QComboBox(this);
-    m_across->addItems({tr("At the parting plane"), tr("Across X"), tr("Across Y"), tr("Across Z")});
+    m_across->addItems(
+        {tr("At the parting plane"), tr("Across X"), tr("Across Y"), tr("Across Z"), tr("Facing the view")});
     m_across->setFixedHeight(24);
     m_across->setAccessibleName(tr("Which way the section lies"));
     m_across->setObjectName(name + u"-section-across"_s);
@@ -66,15 +67,23 @@ SectionBar::SectionBar(const QString& name, QWidget* parent) : QFrame(parent) {
     row->addWidget(m_flip);
     row->addWidget(close);
     connect(m_across, &QComboBox::activated, this,
-            [this](int across) { choose({static_cast<SectionCut::Across>(across), 0, std::nullopt}); });
+            [this](int across) { choose({static_cast<SectionCut::Across>(across)}); });
     connect(m_slider, &QSlider::valueChanged, this, [this](int position) {
-        choose({m_cut.across, m_lowest + (m_highest - m_lowest) * position / sliderSteps, m_cut.flipped});
+        choose(moved(m_lowest + (m_highest - m_lowest) * position / sliderSteps));
     });
-    connect(m_offset, &QuantitySpinBox::valueChanged, this,
-            [this](double offset) { choose({m_cut.across, offset, m_cut.flipped}); });
-    connect(m_flip, &QToolButton::clicked, this,
-            [this] { choose({m_cut.across, m_cut.offset, !m_cut.flipped.value_or(false)}); });
+    connect(m_offset, &QuantitySpinBox::valueChanged, this, [this](double offset) { choose(moved(offset)); });
+    connect(m_flip, &QToolButton::clicked, this, [this] {
+        SectionCut other = m_cut;
+        other.flipped = !m_cut.flipped.value_or(false);
+        choose(other);
+    });
     connect(close, &QToolButton::clicked, this, &SectionBar::closed);
+}
+
+SectionCut SectionBar::moved(double offset) const {
+    SectionCut cut = m_cut;
+    cut.offset = offset;
+    return cut;
 }
 
 void SectionBar::choose(const SectionCut& cut) {

@@ -30,6 +30,7 @@ Q_SIGNALS:
 
 private:
     void choose(const SectionCut& cut);
+    [[nodiscard]] SectionCut moved(double offset) const;
     void refreshSlider();
 
     SectionCut m_cut;

@@ -2,6 +2,7 @@
 #include "window/sentence.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 namespace moldwright {
 
@@ -29,7 +30,9 @@ std::string translated(const std::string& english) {
 } // namespace
 
 QString sentence(const Message& message) {
-    return QString::fromStdString(message.fill(translated(message.text)));
+    static const QRegularExpression hyphenInPlace(u"([(,] ?)-(?=\\d)"_s);
+    const QString minus = u"\\1"_s + QChar(0x2212);
+    return QString::fromStdString(message.fill(translated(message.text))).replace(hyphenInPlace, minus);
 }
 
 QString sentence(const std::string& english) {

@@ -43,7 +43,7 @@ void Turntable::lookOn() {
 void Turntable::takePicture() {
     if (m_view->drawing() || m_taken - m_packed >= mostWaiting)
         return;
-    QMetaObject::invokeMethod(&m_place, [this, picture = m_view->grabFramebuffer()] {
+    QMetaObject::invokeMethod(&m_place, [this, picture = m_view->picture()] {
         m_animation.add(picture);
         QMetaObject::invokeMethod(this, &Turntable::packed);
     });

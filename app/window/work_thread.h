@@ -8,8 +8,9 @@
 
 namespace moldwright {
 
-/// A thread that does what is posted to it, one after the other. What was begun when it is destroyed is ended
-/// first, what only waits may be dropped: an owner declares it last, so that its work finds all else alive.
+/// A thread that does what is posted to it, one after the other, and gives way to the window. What was begun
+/// when it is destroyed is ended first, what only waits may be dropped: an owner declares it last, so that
+/// its work finds all else alive.
 class WorkThread {
 public:
     /// `name` tells threads apart in a debugger.

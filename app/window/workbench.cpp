@@ -127,7 +127,7 @@ bool Workbench::castIsProved() const {
     return castShown() && analysisIsCurrent() && m_answer->certificate && m_answer->certificate->holds();
 }
 
-const Workbench::BuiltMold& Workbench::built() const {
+const BuiltMold& Workbench::built() const {
     static const BuiltMold none;
     const auto found = m_molds.find(project().variantName);
     return found != m_molds.end() ? found->second : none;

@@ -9,6 +9,7 @@
 #include "scene/lasso.h"
 #include "window/advice.h"
 #include "window/background.h"
+#include "window/built_mold.h"
 #include "window/display_mode.h"
 #include "window/document.h"
 #include "window/frame_history.h"
@@ -125,6 +126,8 @@ public:
     /// Half 1 or 2 of the mold, ready to be drawn. Precondition: there is a mold.
     [[nodiscard]] const scene::SharedDrawnMesh& drawnHalf(int side) const { return built().halves[side - 1]; }
 
+    /// What the halves of the mold meet of its cast on their way out; nothing where they are proved.
+    [[nodiscard]] const std::array<ContactWays, 2>& contacts() const { return built().contacts; }
     /// Where the mold's features stand.
     [[nodiscard]] MoldPlacing& placing() { return *m_placing; }
     [[nodiscard]] const MoldPlacing& placing() const { return *m_placing; }
@@ -212,8 +215,7 @@ public:
     /// Looks for points worth pinning; suggestionsInView() has them then.
     void suggestPins();
     [[nodiscard]] bool suggestionsKnown() const;
-    static constexpr int fewestSuggestedPins = 20;
-    static constexpr int mostSuggestedPins = 60;
+    static constexpr int fewestSuggestedPins = 20, mostSuggestedPins = 60;
     [[nodiscard]] int suggestionCount() const { return m_suggestionCount; }
     void setSuggestionCount(int count);
     /// The best suggestionCount() at the plane, best first, without those taken.
@@ -296,14 +298,6 @@ Q_SIGNALS:
     void reportWritten(const QString& file);
 
 private:
-    /// A mold, and what it was built from.
-    struct BuiltMold {
-        std::shared_ptr<const Mold> mold;
-        std::array<scene::SharedDrawnMesh, 2> halves;
-        std::shared_ptr<const CastResult> cast;
-        MoldSettings settings;
-    };
-
     [[nodiscard]] const BuiltMold& built() const;
     void forgetOldPart();
     void show(const Project& project, const QString& file);
@@ -318,7 +312,6 @@ private:
     void takeKept(int step, const ShownFrame& frame);
     void forgetKept();
     void placePins();
-    void makePicker();
     [[nodiscard]] Eigen::Vector3d inPart(const Eigen::Vector3d& inView) const;
     void takeObstructions(const DesignResult& result, const Project& from);
     void tellOfCast(const DesignResult& result);

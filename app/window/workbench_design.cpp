@@ -3,6 +3,7 @@
 #include "window/workbench.h"
 
 #include "castability/directions.h"
+#include "mold/way_out.h"
 #include "project/design_request.h"
 #include "project/edits.h"
 #include "theme/theme.h"
@@ -99,6 +100,7 @@ void Workbench::run() {
 void Workbench::startRun(const std::shared_ptr<const Points>& start) {
     const Project from = m_document.committed();
     m_stream = std::make_shared<FrameStream>();
+    m_stream->setPickers(m_picking);
     m_control = std::make_shared<RunControl>();
     m_progress.clear();
     m_frame.reset();
@@ -160,7 +162,7 @@ void Workbench::pullFrames() {
     if (m_backTo == 0) {
         m_frame = std::move(taken.newest);
         placePins();
-        makePicker();
+        setPicking(m_picking); // it may have been made before a tool was taken
     }
     Q_EMIT changed();
 }
@@ -174,13 +176,14 @@ void Workbench::buildMoldNow() {
             return built ? scene::drawnMesh(((*built).*half).mesh) : nullptr;
         };
         const std::array halves{drawn(&Mold::half1), drawn(&Mold::half2)};
+        const auto contacts = built ? contactsOnTheWayOut(*built, *cast.mesh) : std::array<ContactWays, 2>();
         return [=, this, built = std::make_shared<Result<Mold>>(std::move(built))] {
             if (!*built) {
                 complain(built->error(), tr("Building the mold"));
                 return;
             }
             const auto mold = std::make_shared<const Mold>(std::move(**built));
-            m_molds[from.variantName] = {mold, halves, from.cast, from.mold};
+            m_molds[from.variantName] = {mold, halves, contacts, from.cast, from.mold};
             if (mold->verified())
                 say(Standing::Done, tr("Mold built: both halves are proved to come off."));
             for (const std::string& what : mold->problems)

@@ -57,12 +57,10 @@ std::vector<Pin> Workbench::pinsInView() const {
 
 void Workbench::setPicking(bool picking) {
     m_picking = picking;
-    makePicker();
-}
-
-void Workbench::makePicker() {
-    if (m_picking && m_frame && !m_frame->picker && m_frame->frame.shape)
-        m_frame->picker = std::make_shared<const scene::SurfacePicker>(m_frame->frame.shape);
+    if (m_stream)
+        m_stream->setPickers(picking);
+    if (picking && m_frame && !m_frame->picker)
+        m_liveFrames.ask(m_frame->frame.step, m_frame->frame, true);
 }
 
 void Workbench::stepOnce() {
@@ -81,7 +79,7 @@ void Workbench::showKept(int frame) {
     const DesignFrame& kept = m_kept.frames().at(static_cast<std::size_t>(frame));
     const bool newest = running() && kept.step == m_kept.frames().back().step;
     m_backTo = newest ? 0 : kept.step;
-    m_liveFrames.ask(kept.step, kept);
+    m_liveFrames.ask(kept.step, kept, m_picking);
     Q_EMIT changed();
 }
 
@@ -92,7 +90,6 @@ void Workbench::takeKept(int step, const ShownFrame& frame) {
         return;
     m_frame = frame;
     placePins();
-    makePicker();
     Q_EMIT changed();
 }
 

@@ -84,6 +84,23 @@ TEST_P(Legends, AndStatesLeaveTheShapeFree) {
     driver.program().setLanguage(u"en"_s);
 }
 
+TEST(Legend, TellsUnitAndAreasInARowToo) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.press("Alt+1");
+    driver.press("Shift+U");
+    PartView& view = driver.window().view();
+    const scene::LegendPanel& legend = view.scene().overlay().legend();
+    ASSERT_TRUE(driver.waitFor([&] { return legend.words().find("mm or more") != std::string::npos; }));
+    scene::Camera near = view.camera();
+    near.distance /= 9;
+    view.standAt(near);
+    const auto shows = [&](const char* words) { return legend.words().find(words) != std::string::npos; };
+    ASSERT_TRUE(driver.waitFor([&] { return legend.form() == PanelForm::Row; }));
+    EXPECT_TRUE(shows("mm or more")) << legend.words();
+    EXPECT_TRUE(shows("cm²")) << legend.words();
+}
+
 TEST(Legend, TakesLinesWhereThereIsRoomAndARowBesideALargeShape) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("praline"));

@@ -156,6 +156,37 @@ TEST(Section, OpensAtThePartingPlaneAndFollowsItsFields) {
     EXPECT_FALSE(view.scene().cut());
 }
 
+TEST(Section, LiesInAnyPlaneThatTheViewFaces) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("rabbit"));
+    PartView& view = driver.window().view();
+    const scene::Camera oblique = scene::lookingFrom(view.camera(), Eigen::Vector3d(1, -2, 0.7));
+    view.standAt(oblique);
+    driver.press("C");
+    auto* across = driver.window().findChild<QComboBox*>(QStringLiteral("view-1-section-across"));
+    across->setFocus();
+    QTest::keyClick(across, Qt::Key_End);
+    QTest::qWait(100);
+    ASSERT_TRUE(view.scene().cut());
+    const PartingPlane cut = *view.scene().cut();
+    EXPECT_TRUE(cut.normal.isApprox(oblique.backwards(), 1e-9));
+    EXPECT_NEAR(cut.distance(view.scene().middle()), 0, 1e-9);
+    ASSERT_TRUE(driver.waitFor([&] { return !view.drawing(); }));
+    driver.shot("51-section-facing");
+    const auto flat = [](QColor c) { return c == QColor(158, 162, 167); };
+    EXPECT_GT(pixelsLike(view, flat), 500) << "the cut is filled";
+    // It stays where it is in the part when the view turns, and moves along its own normal.
+    driver.press("7");
+    QTest::qWait(400);
+    EXPECT_EQ(*view.scene().cut(), cut);
+    auto* slider = driver.window().findChild<QSlider*>(QStringLiteral("view-1-section-slider"));
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_PageUp);
+    QTest::qWait(30);
+    EXPECT_EQ(view.scene().cut()->normal, cut.normal);
+    EXPECT_GT(view.scene().cut()->offset, cut.offset);
+}
+
 TEST(Section, CutsTheMoldOpenToo) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("praline"));

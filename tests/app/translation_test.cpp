@@ -124,3 +124,8 @@ TEST_P(Translated, EverySampleHasItsWords) {
             EXPECT_TRUE(knows("Samples", text)) << text.constData();
         }
 }
+
+TEST(Translation, NegativeCoordinatesHaveAMinusAndFileNamesKeepTheirHyphens) {
+    EXPECT_EQ(sentence(Message{"near ({0}, {1}) of a-5.stl", {"-1.5", "-2"}}),
+              QString::fromUtf8("near (−1.5, −2) of a-5.stl"));
+}

@@ -7,6 +7,7 @@
 #include "mesh/check.h"
 #include "mesh/measures.h"
 #include "panels/banner.h"
+#include "panels/message_list.h"
 #include "panels/property_panel.h"
 #include "panels/step_button.h"
 #include "panels/workflow_bar.h"
@@ -18,6 +19,7 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QSlider>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -31,6 +33,15 @@ namespace {
 
 QString verdict(WindowDriver& driver) {
     return driver.window().findChild<VerdictButton*>()->sentence();
+}
+
+/// How much of a picture is in the accent's hue.
+int bluePixels(const QImage& picture) {
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            count += qBlue(picture.pixel(x, y)) > qRed(picture.pixel(x, y)) + 60 ? 1 : 0;
+    return count;
 }
 
 void choosePlane(WindowDriver& driver) {
@@ -58,6 +69,12 @@ void buildTheMold(WindowDriver& driver) {
     ASSERT_TRUE(driver.bench().mold());
     QTest::qWait(900); // the halves move apart
     driver.shot("06-mold");
+    auto* slider = driver.window().findChild<QSlider*>(QStringLiteral("opening"));
+    const scene::Scene& scene = driver.window().view().scene();
+    for (const Qt::Key key : {Qt::Key_Home, Qt::Key_Right, Qt::Key_PageUp, Qt::Key_PageUp, Qt::Key_End}) {
+        QTest::keyClick(slider, key);
+        EXPECT_EQ(scene.facesMet(), 0) << "proved halves meet nothing at " << slider->value();
+    }
     EXPECT_EQ(verdict(driver), QStringLiteral("Castable and opens"));
 }
 
@@ -223,6 +240,17 @@ TEST(WholeJob, AnObstructionIsMarkedListedShownAndFilled) {
     QTest::mouseClick(&view, Qt::LeftButton, {}, view.pixelOf(found.place));
     QTest::qWait(300);
     EXPECT_EQ(panel->pageId(), QStringLiteral("obstruction-0"));
+
+    // Its message points at its faces for a moment.
+    auto* messages = driver.window().findChild<MessageList*>();
+    messages->setFocus();
+    QTest::keyClick(messages, Qt::Key_Home);
+    QTest::keyClick(messages, Qt::Key_Return);
+    QTest::qWait(700); // the camera eases
+    const int pointedAt = bluePixels(view.picture());
+    driver.shot("22-pointed-at");
+    QTest::qWait(1500);
+    EXPECT_GT(pointedAt, bluePixels(view.picture()) + 300);
 
     // The plane that the run suggests is taken and given back in one step.
     const auto suggested = driver.bench().suggestedPlane();

@@ -9,7 +9,9 @@
 #include "support/shapes.h"
 #include "view/part_view.h"
 #include "window/document.h"
+#include "window/live_maps.h"
 #include "window/main_window.h"
+#include "window/workbench.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -101,48 +103,11 @@ void measure(const char* what, LongestGap& gap, test::WindowDriver& driver,
     tell(what, gap.take());
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    const QApplication application(argc, argv);
-    prepareApplication();
-    test::WindowDriver driver;
-    const test::ScratchFolder folder;
-    const std::filesystem::path file = folder.path() / "ring.ply";
-    if (!writeMesh(file, ring(), MeshFormat::Ply))
-        return 1;
-    LongestGap gap;
+/// What the views show and how they are looked at.
+void measureViews(LongestGap& gap, test::WindowDriver& driver) {
     PartView& view = driver.window().view();
     const QPoint middle(view.width() / 2, view.height() / 2);
-    driver.openSample("praline");
-    (void)gap.take();
-    // The first picture of each view and kind compiles what draws it: no matter of size.
-    driver.openSample("praline");
-    for (const char* keys : {"Alt+4", "C", "C", "Alt+2", "Alt+1", "C", "C"}) {
-        driver.press(keys);
-        QTest::qWait(500);
-    }
-    measure("open", gap, driver, [&] { driver.openMesh(QString::fromStdString(file.string()), 80); });
     measure("orbit", gap, driver, [&] { drag(view, middle, {80, 20}, Qt::MiddleButton, Qt::ShiftModifier); });
-    measure("drag the plane", gap, driver,
-            [&] { drag(view, view.gripPixel(scene::Grip::SlidePlane), {0, -40}, Qt::LeftButton, {}); });
-    measure("drag a direction", gap, driver,
-            [&] { drag(view, view.gripPixel(scene::Grip::Direction1), {40, 0}, Qt::LeftButton, {}); });
-    measure("undo", gap, driver, [&] { driver.press("Ctrl+Z"); });
-    measure("turn by 90°", gap, driver,
-            [&] { driver.window().actions()[QStringLiteral("turn-x")]->trigger(); });
-    measure("draft map", gap, driver, [&] { driver.press("D"); });
-    measure("undercut depth", gap, driver, [&] {
-        driver.press("Shift+U");
-        driver.waitFor(
-            [&] { return driver.bench().map(ViewContent::Newest, DisplayMode::UndercutDepth) != nullptr; });
-    });
-    driver.press("B");
-    const QPoint onTop = view.pixelOf(Eigen::Vector3d(0, -30, 10));
-    measure("paint a stroke", gap, driver, [&] { drag(view, onTop, {60, 10}, Qt::LeftButton, {}); });
-    driver.press("Esc");
     measure("section", gap, driver, [&] { driver.press("C"); });
     measure("move the section", gap, driver, [&] {
         auto* slider = driver.window().findChild<QSlider*>(QStringLiteral("view-1-section-slider"));
@@ -158,22 +123,142 @@ int main(int argc, char** argv) {
         drag(free, {free.width() / 2, free.height() / 2}, {80, 20}, Qt::MiddleButton, Qt::ShiftModifier);
         driver.press("Shift+L");
     });
-    driver.press("Alt+1");
-    measure("dark theme", gap, driver,
-            [&] { driver.window().actions()[QStringLiteral("theme-dark")]->trigger(); });
-    for (const char* which : {"picture by stand-in", "picture of the whole"}) {
-        view.setCoarse(which[11] == 'b');
+    measure("one view", gap, driver, [&] { driver.press("Alt+1"); });
+    for (const char* theme : {"theme-dark", "theme-light"})
+        measure(theme, gap, driver,
+                [&] { driver.window().actions()[QString::fromLatin1(theme)]->trigger(); });
+}
+
+/// What changes the project.
+void measureEdits(LongestGap& gap, test::WindowDriver& driver) {
+    PartView& view = driver.window().view();
+    measure("drag the plane", gap, driver,
+            [&] { drag(view, view.gripPixel(scene::Grip::SlidePlane), {0, -40}, Qt::LeftButton, {}); });
+    measure("drag a direction", gap, driver,
+            [&] { drag(view, view.gripPixel(scene::Grip::Direction1), {40, 0}, Qt::LeftButton, {}); });
+    measure("undo", gap, driver, [&] { driver.press("Ctrl+Z"); });
+    for (const char* row : {"plane", "pins", "direction-1", "importance", "mold", "part"})
+        measure((std::string("choose ") + row).c_str(), gap, driver, [&] { driver.selectRow(row); });
+    driver.press("B");
+    const QPoint onTop = view.pixelOf(driver.bench().project().part->V.colwise().mean().transpose());
+    measure("paint a stroke", gap, driver, [&] { drag(view, onTop, {60, 10}, Qt::LeftButton, {}); });
+    measure("undo the stroke", gap, driver, [&] { driver.press("Ctrl+Z"); });
+    driver.press("Esc");
+    measure("turn by 90°", gap, driver,
+            [&] { driver.window().actions()[QStringLiteral("turn-x")]->trigger(); });
+    measure("best plane", gap, driver, [&] { driver.press("Ctrl+B"); });
+    measure("autosave's copy", gap, driver, [&] { QTest::qWait(6000); });
+}
+
+/// A map in the view, until it is painted.
+void measureMap(LongestGap& gap, test::WindowDriver& driver, const char* what, const char* keys,
+                DisplayMode mode) {
+    measure(what, gap, driver, [&] {
+        driver.press(keys);
+        driver.waitFor(
+            [&] { return !isMap(mode) || driver.bench().map(ViewContent::Newest, mode) != nullptr; });
+    });
+}
+
+/// The run, what it leaves, and the mold.
+void measureCast(LongestGap& gap, test::WindowDriver& driver, const std::filesystem::path& folder) {
+    measure("run", gap, driver, [&] {
+        driver.press("Ctrl+Return");
+        driver.waitIdle(600000);
+    });
+    measureMap(gap, driver, "deviation", "Shift+D", DisplayMode::Deviation);
+    measureMap(gap, driver, "strain", "Shift+S", DisplayMode::Strain);
+    measureMap(gap, driver, "importance", "I", DisplayMode::Importance);
+    measureMap(gap, driver, "undercuts", "U", DisplayMode::Undercuts);
+    measure("undo the run", gap, driver, [&] { driver.press("Ctrl+Z"); });
+    measure("redo the run", gap, driver, [&] { driver.press("Ctrl+Shift+Z"); });
+    measure("build the mold", gap, driver, [&] {
+        driver.press("Ctrl+M");
+        driver.waitIdle(600000);
+        QTest::qWait(1500);
+    });
+    measure("demolding slider", gap, driver, [&] {
+        auto* slider = driver.window().findChild<QSlider*>(QStringLiteral("opening"));
+        for (int step = 0; step < 12; ++step)
+            QTest::keyClick(slider, Qt::Key_PageDown, {}, 20);
+    });
+    measure("save", gap, driver, [&] {
+        driver.answerFileDialog(QString::fromStdString((folder / "saved.moldwright").string()));
+        driver.press("Ctrl+Shift+S");
+        QTest::qWait(1000);
+    });
+}
+
+void measurePictures(test::WindowDriver& driver) {
+    PartView& view = driver.window().view();
+    for (const bool coarse : {true, false}) {
+        view.setCoarse(coarse);
         QElapsedTimer clock;
         clock.start();
         for (int i = 0; i < 5; ++i) {
             view.redraw();
             driver.waitFor([&] {
-                (void)view.grabFramebuffer();
+                (void)view.picture();
                 return !view.drawing();
             });
         }
-        std::printf("%-28s %5lld ms\n", which, static_cast<long long>(clock.elapsed() / 5));
+        std::printf("%-28s %5lld ms\n", coarse ? "picture by stand-in" : "picture of the whole",
+                    static_cast<long long>(clock.elapsed() / 5));
     }
-    driver.window().actions()[QStringLiteral("theme-light")]->trigger();
+}
+
+/// How many pictures a second reach the screen while the shape turns, with some 14,000 points.
+void measureFrames(test::WindowDriver& driver, const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / "small.ply";
+    if (!writeMesh(file, test::torus(30, 10, 168, 84), MeshFormat::Ply))
+        return;
+    driver.openMesh(QString::fromStdString(file.string()), 80);
+    driver.waitIdle();
+    PartView& view = driver.window().view();
+    int pictures = 0;
+    QObject::connect(&view, &QOpenGLWidget::frameSwapped, [&] { ++pictures; });
+    view.setLive(true);
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 4000) {
+        view.followCamera(scene::orbited(view.camera(), view.scene().middle(), 0.02, 0));
+        const int before = pictures;
+        driver.waitFor([&] { return pictures > before; });
+    }
+    std::printf("%-28s %5.1f a second\n", "pictures, 14,112 points",
+                1000.0 * pictures / static_cast<double>(clock.elapsed()));
+}
+
+} // namespace
+
+/// With a mesh file: that part, and how it is made castable too.
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    const QApplication application(argc, argv);
+    prepareApplication();
+    test::WindowDriver driver;
+    const test::ScratchFolder folder;
+    std::filesystem::path file = folder.path() / "ring.ply";
+    if (argc > 1)
+        file = argv[1];
+    else if (!writeMesh(file, ring(), MeshFormat::Ply))
+        return 1;
+    LongestGap gap;
+    driver.openSample("praline");
+    // The first picture of each view and kind compiles what draws it: no matter of size.
+    for (const char* keys : {"Alt+4", "C", "C", "Alt+2", "Alt+1", "C", "C"}) {
+        driver.press(keys);
+        QTest::qWait(500);
+    }
+    measure("open", gap, driver, [&] { driver.openMesh(QString::fromStdString(file.string()), 80); });
+    measureViews(gap, driver);
+    measureEdits(gap, driver);
+    measureMap(gap, driver, "draft map", "D", DisplayMode::DraftMap);
+    measureMap(gap, driver, "undercut depth", "Shift+U", DisplayMode::UndercutDepth);
+    if (argc > 1)
+        measureCast(gap, driver, folder.path());
+    measurePictures(driver);
+    measureFrames(driver, folder.path());
     return 0;
 }

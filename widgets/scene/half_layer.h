@@ -22,6 +22,8 @@ public:
     /// Opens by `way` mm along the direction.
     void open(double way);
 
+    [[nodiscard]] double way() const { return m_way; } ///< mm
+
     [[nodiscard]] MeshLayer& layer() { return m_layer; }
     [[nodiscard]] const MeshLayer& layer() const { return m_layer; }
 

@@ -37,6 +37,8 @@ public:
     void arrange(ViewSize view, const std::optional<Spot>& shape);
 
     [[nodiscard]] PanelForm form() const { return m_form; }
+    /// Its words as they are laid out; empty while there is none.
+    [[nodiscard]] std::string words() const { return m_panel.visible() ? m_panel.words() : std::string(); }
     [[nodiscard]] Spot spot() const;
     /// As high as a row with the gap below it, for the scale set: what a view has to leave free for it.
     [[nodiscard]] double rowRoom() const;

@@ -161,17 +161,22 @@ double OverlayPanel::layOutRow(const PanelContent& content, const SceneColours& 
             text({line.value, Ink::Secondary, false}, bodySize);
     }
     if (form != PanelForm::Title && static_cast<std::size_t>(classes) > fewClasses)
-        x = addScale(content, colours, scale, x) + rowGap * scale;
+        x = addScale(content, colours, scale, x, form == PanelForm::Row) + rowGap * scale;
     m_width = std::ceil(x + (paddingX - rowGap) * scale);
     return rowHeight * scale;
 }
 
 double OverlayPanel::addScale(const PanelContent& content, const SceneColours& colours, double scale,
-                              double x) {
+                              double x, bool withValues) {
     const double y = paddingY * scale;
+    const auto text = [&](const PanelContent::Run& run) {
+        x = addText(run, colours, bodySize * scale, x, y + 2 * scale) + 6 * scale;
+    };
     const auto words = [&](const PanelContent::Line& line) {
         if (!line.runs.empty())
-            x = addText(line.runs.front(), colours, bodySize * scale, x, y + 2 * scale) + 6 * scale;
+            text(line.runs.front());
+        if (withValues && !line.value.empty())
+            text({line.value, Ink::Secondary, false});
     };
     std::vector<const PanelContent::Line*> classes; // lists begin with the most, scales with the least
     for (const PanelContent::Line& line : content.lines)
@@ -237,6 +242,14 @@ void OverlayPanel::addBackground(const SceneColours& colours, double scale) {
     const auto outline = roundedRectangle(m_width, m_height, 4 * scale);
     addShape(outline, colours.chip, true, 0, 0);
     addShape(outline, colours.chipEdge, false, scale, 1);
+}
+
+std::string OverlayPanel::words() const {
+    std::string all;
+    for (const Piece& piece : m_pieces)
+        if (auto* text = vtkTextActor::SafeDownCast(piece.actor))
+            all += (all.empty() ? "" : " ") + std::string(text->GetInput());
+    return all;
 }
 
 void OverlayPanel::moveTo(double left, double bottom) {

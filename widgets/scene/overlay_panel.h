@@ -40,7 +40,7 @@ struct PanelContent {
 };
 
 /// How a panel lays its content out: line below line; all in one row, with the swatches as a scale between
-/// the words of its ends; the same without figures and notes; the title alone.
+/// the words and figures of its ends; the same without figures and notes; the title alone.
 enum class PanelForm { Lines, Row, ShortRow, Title };
 
 /// A panel-coloured rounded rectangle with text, drawn flat in the view so that pictures hold it too. Sizes
@@ -63,6 +63,8 @@ public:
     void setVisible(bool visible);
     [[nodiscard]] bool visible() const { return m_visible; }
 
+    /// All its words as they are laid out, from the first to the last.
+    [[nodiscard]] std::string words() const;
     [[nodiscard]] double width() const { return m_width; }
     [[nodiscard]] double height() const { return m_height; }
 
@@ -77,7 +79,8 @@ private:
                    double y);
     double layOut(const PanelContent& content, const SceneColours& colours, double scale);
     double layOutRow(const PanelContent& content, const SceneColours& colours, double scale, PanelForm form);
-    double addScale(const PanelContent& content, const SceneColours& colours, double scale, double x);
+    double addScale(const PanelContent& content, const SceneColours& colours, double scale, double x,
+                    bool withValues);
     double addSwatch(Rgb colour, double x, double y, double scale);
     void addShape(std::vector<std::pair<double, double>> outline, Rgb colour, bool filled, double lineWidth,
                   std::size_t place);

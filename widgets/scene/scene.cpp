@@ -122,10 +122,22 @@ std::array<MeshLayer*, 3> Scene::surfaces() {
 
 void Scene::setSurface(const SharedDrawnMesh& mesh, std::span<const Rgb> faceColours) {
     m_surface.setMesh(mesh, m_colours.part);
-    m_surface.setFaceColours(faceColours);
+    m_faceColours.assign(mesh ? mesh->mesh->F.rows() : 0, m_colours.part);
+    setFaceColours(faceColours);
     placePlane();
     placeSections();
     updateVisibility();
+}
+
+void Scene::setFaceColours(std::span<const Rgb> faceColours) {
+    if (!faceColours.empty())
+        m_faceColours.assign(faceColours.begin(), faceColours.end());
+    paintSurface();
+}
+
+void Scene::paintSurface() {
+    m_surface.setFaceColours(
+        m_contacts.painted(m_faceColours, {m_half1.way(), m_half2.way()}, m_colours.undercut));
 }
 
 void Scene::useStandIns(bool use) {
@@ -271,6 +283,7 @@ void Scene::showGrips() {
 
 void Scene::setHalves(const SharedDrawnMesh& half1, const SharedDrawnMesh& half2,
                       const Eigen::Isometry3d& moldToPart, const Directions& directions) {
+    setContacts({});
     if (half1)
         m_half1.set(half1, moldToPart, directions.d1, m_colours.half1);
     else
@@ -286,6 +299,8 @@ void Scene::setOpening(double opening) {
     const double size = m_surface.mesh() ? m_surface.mesh()->box.sizes().norm() : 1;
     m_half1.open(opening * openShare * size);
     m_half2.open(opening * openShare * size);
+    if (m_contacts.any())
+        paintSurface();
     placeSections();
 }
 

@@ -7,6 +7,7 @@
 #include "scene/camera.h"
 #include "scene/colours.h"
 #include "scene/cone_layer.h"
+#include "scene/contact_paint.h"
 #include "scene/cut_layer.h"
 #include "scene/drawn_mesh.h"
 #include "scene/feature_layer.h"
@@ -51,7 +52,7 @@ public:
 
     /// The surface in view; null for none. `faceColours` may be empty: all in the part's colour.
     void setSurface(const SharedDrawnMesh& mesh, std::span<const Rgb> faceColours);
-    void setFaceColours(std::span<const Rgb> faceColours) { m_surface.setFaceColours(faceColours); }
+    void setFaceColours(std::span<const Rgb> faceColours);
     void setStandInColours(std::span<const Rgb> faceColours) { m_surface.setStandInColours(faceColours); }
     /// Without it edges are stepped, and a picture takes less than half the time.
     void setSmoothEdges(bool smooth);
@@ -83,8 +84,15 @@ public:
     [[nodiscard]] const SharedDrawnMesh& half(int side) const {
         return (side == 1 ? m_half1 : m_half2).layer().mesh();
     }
+    /// What these halves meet of the surface while they leave: its faces are red where and while they do.
+    void setContacts(const std::array<ContactWays, 2>& contacts) {
+        m_contacts.setContacts(contacts);
+        paintSurface();
+    }
     /// 0 closed … 1 open wide.
     void setOpening(double opening);
+    /// How many faces a half meets, opened as it is.
+    [[nodiscard]] int facesMet() const { return m_contacts.facesMet(); }
 
     /// Cuts away what lies before the plane (n·x > o) of all surfaces, and fills the sections; nothing: shows
     /// all.
@@ -145,6 +153,7 @@ private:
     void placeSections();
     void updateVisibility();
     void showGrips();
+    void paintSurface();
 
     vtkNew<vtkRenderer> m_back;  ///< background and surfaces
     vtkNew<vtkRenderer> m_front; ///< all else, hidden where surfaces are nearer
@@ -152,8 +161,10 @@ private:
     double m_scale = 1;
     CubeWords m_words = {"Front", "Back", "Left", "Right", "Top", "Bottom"};
     MeshLayer m_surface;
+    std::vector<Rgb> m_faceColours; ///< of the surface, as wanted
     HalfLayer m_half1;
     HalfLayer m_half2;
+    ContactPaint m_contacts;
     std::array<CutLayer, 3> m_sections; ///< of surface, half 1, half 2
     std::optional<PartingPlane> m_cut;
     bool m_standInsUsed = false;

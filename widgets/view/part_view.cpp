@@ -66,6 +66,11 @@ void PartView::pictureDone() {
     m_timed = m_scene.surface();
 }
 
+QColor PartView::ground() const {
+    const scene::Rgb colour = m_scene.colours().viewBottom;
+    return {colour.r, colour.g, colour.b};
+}
+
 bool PartView::tooSlow() const {
     const scene::SharedDrawnMesh& surface = m_scene.surface();
     if (!surface || !surface->standIn || surface->sketched())

@@ -49,6 +49,9 @@ public:
     [[nodiscard]] Picking picking() const { return m_picking; }
     /// The circle shown under a hand that draws strokes, mm; 0: none.
     void setBrushRadius(double radius);
+    /// The pointer makes the brush larger on its way right and smaller on its way left, until a click;
+    /// cancelDrag() gives it its radius back.
+    void sizeBrush();
 
     [[nodiscard]] const scene::Camera& camera() const { return m_camera; }
     /// The length of a logical pixel at the camera's focus, mm.
@@ -121,10 +124,12 @@ protected:
     [[nodiscard]] int sliceCount() const override { return m_scene.sliceCount(); }
     void prepareSlice(int slice) override { m_scene.drawSlice(slice); }
     void pictureDone() override;
+    [[nodiscard]] QColor ground() const override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
@@ -181,6 +186,8 @@ private:
     std::optional<int> m_pin;                  ///< the pin that is held
     std::optional<scene::FeatureAt> m_feature; ///< the feature that is
     double m_brushRadius = 0;
+    std::optional<double> m_radiusBefore; ///< while the pointer sizes the brush
+    std::optional<double> m_sizedTo;      ///< where it was last, px; none: it has not moved yet
     bool m_stroke = false;                ///< one is being drawn
     bool m_inverted = false;              ///< the lasso is
     std::vector<Eigen::Vector2d> m_lasso; ///< as far as it is drawn

@@ -21,8 +21,8 @@ constexpr double turnPerPixel = 0.0085; ///< radians
 constexpr double zoomPerPixel = 1.006;
 constexpr double zoomPerNotch = 1.15;
 constexpr double largerPerNotch = 1.2; ///< of the brush's radius
-constexpr double keyStep = 8;          ///< logical pixels that an arrow key moves the brush
-constexpr int mostDabs = 12;           ///< between two places of the pointer
+constexpr double largerPerPixel = 1.01;
+constexpr double leastPinch = 0.2; ///< of the size, by one event of two fingers
 
 scene::Held heldNow(Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
     return {buttons.testFlag(Qt::LeftButton),   buttons.testFlag(Qt::MiddleButton),
@@ -34,6 +34,12 @@ scene::Held heldNow(Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
 
 void PartView::mousePressEvent(QMouseEvent* event) {
     const Eigen::Vector2d at = pixel(event->position());
+    if (m_radiusBefore) {
+        m_radiusBefore.reset();
+        m_dragged = true; // sizing has had this press
+        event->accept();
+        return;
+    }
     if (event->buttons() == event->button()) {
         m_pressed = at;
         m_dragged = false;
@@ -119,6 +125,11 @@ void PartView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PartView::hover(const Eigen::Vector2d& at) {
+    if (m_radiusBefore) {
+        const double way = at.x() - std::exchange(m_sizedTo, at.x()).value_or(at.x());
+        Q_EMIT brushScaled(std::pow(largerPerPixel, way / devicePixelRatioF()));
+        return;
+    }
     if (m_picking == Picking::Place)
         Q_EMIT pointHovered(hitAt(at));
     if (m_picking == Picking::Stroke) {
@@ -236,111 +247,30 @@ void PartView::placePin(const Eigen::Vector2d& at, bool inside) {
     Q_EMIT pinPlaced(middle.value_or(hit->point));
 }
 
-void PartView::setBrushRadius(double radius) {
-    if (radius == m_brushRadius)
-        return;
-    m_brushRadius = radius;
-    if (m_picking == Picking::Stroke && !m_scene.brush().places().empty())
-        showBrush(m_last);
-}
-
-void PartView::beginPainting(const Eigen::Vector2d& at, bool inverted) {
-    if (m_picking == Picking::Lasso) {
-        m_inverted = inverted;
-        m_lasso = {at};
-        return;
-    }
-    const auto hit = hitAt(at);
-    if (!hit || hit->face < 0)
-        return;
-    m_stroke = true;
-    Q_EMIT strokeBegan(*hit, inverted);
-}
-
-void PartView::paintTo(const Eigen::Vector2d& at) {
-    moving();
-    if (!m_lasso.empty()) {
-        m_lasso.push_back(at);
-        showLasso();
-        return;
-    }
-    // Half a radius apart the brush leaves no gap, however fast the pointer goes.
-    const double step = std::max(2.0, m_brushRadius / m_camera.pixelSize(viewSize()) / 2);
-    const int dabs = std::clamp(static_cast<int>(std::ceil((at - m_last).norm() / step)), 1, mostDabs);
-    std::vector<scene::SurfacePicker::Hit> hits;
-    for (int i = 1; i <= dabs; ++i)
-        if (const auto hit = hitAt(m_last + (at - m_last) * i / dabs); hit && hit->face >= 0)
-            hits.push_back(*hit);
-    if (!hits.empty())
-        Q_EMIT strokeWentOn(hits);
-    showBrush(at);
-}
-
-void PartView::endPainting() {
-    if (std::exchange(m_stroke, false)) {
-        Q_EMIT strokeEnded();
-        return;
-    }
-    const scene::Lasso lasso{std::exchange(m_lasso, {}), m_camera, viewSize(), m_scene.cut()};
-    m_scene.setBrush({});
-    redraw();
-    if (lasso.line.size() > 2)
-        Q_EMIT lassoDrawn(lasso, m_inverted);
-}
-
 void PartView::dragPin(const Eigen::Vector2d& to) {
     moving();
     if (const auto hit = hitAt(to); hit && hit->face >= 0)
         Q_EMIT pinDragged(*m_pin, m_camera.rayAt(to.x(), to.y(), viewSize()), *hit);
 }
 
-void PartView::showBrush(const Eigen::Vector2d& at) {
-    moving();
-    const auto hit = hitAt(at);
-    const bool over = hit && hit->face >= 0 && m_brushRadius > 0;
-    m_scene.setBrush(over ? scene::circleAbout(hit->point,
-                                               doubleAreaVector(*m_picker->mesh(), hit->face).normalized(),
-                                               m_brushRadius)
-                          : std::vector<Eigen::Vector3d>());
-    redraw();
-}
-
-void PartView::showLasso() {
-    std::vector<Eigen::Vector3d> places;
-    for (const Eigen::Vector2d& pixel : m_lasso) {
-        const scene::Ray ray = m_camera.rayAt(pixel.x(), pixel.y(), viewSize());
-        const double depth =
-            (m_camera.focus - ray.origin).dot(m_camera.backwards()) / ray.direction.dot(m_camera.backwards());
-        places.emplace_back(ray.origin + depth * ray.direction);
-    }
-    m_scene.setBrush(places);
-    redraw();
-}
-
-void PartView::keyPressEvent(QKeyEvent* event) {
-    const double step = (event->modifiers().testFlag(Qt::ShiftModifier) ? 1 : keyStep) * devicePixelRatioF();
-    Eigen::Vector2d way = Eigen::Vector2d::Zero();
-    way.x() = event->key() == Qt::Key_Right ? step : event->key() == Qt::Key_Left ? -step : 0;
-    way.y() = event->key() == Qt::Key_Down ? step : event->key() == Qt::Key_Up ? -step : 0;
-    const bool dab = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (m_picking != Picking::Stroke || m_stroke || (way.isZero() && !dab)) {
-        RenderView::keyPressEvent(event);
-        return;
-    }
-    // Where the pointer never was, the brush begins in the middle.
-    if (!QRectF(rect()).contains(m_last.x() / devicePixelRatioF(), m_last.y() / devicePixelRatioF()) ||
-        m_scene.brush().places().empty())
-        m_last = Eigen::Vector2d(viewSize().width, viewSize().height) / 2;
-    m_last += way;
-    if (dab) {
-        beginPainting(m_last, false);
-        endPainting();
-    }
-    showBrush(m_last);
+bool PartView::event(QEvent* event) {
+    if (event->type() != QEvent::NativeGesture)
+        return RenderView::event(event);
+    const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+    if (gesture->gestureType() != Qt::ZoomNativeGesture)
+        return RenderView::event(event);
+    const Eigen::Vector2d at = pixel(gesture->position());
+    setCamera(
+        scene::zoomedAt(m_camera, std::max(1 + gesture->value(), leastPinch), at.x(), at.y(), viewSize()));
     event->accept();
+    return true;
 }
 
 bool PartView::cancelDrag() {
+    if (m_radiusBefore) {
+        Q_EMIT brushScaled(*std::exchange(m_radiusBefore, std::nullopt) / m_brushRadius);
+        return true;
+    }
     if (m_stroke || !m_lasso.empty()) {
         m_lasso.clear();
         m_scene.setBrush({});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "view/render_view.h"
 
+#include "view/drawing_turns.h"
+
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
@@ -55,6 +57,7 @@ RenderView::RenderView(QWidget* parent) : QOpenGLWidget(parent) {
 }
 
 RenderView::~RenderView() {
+    DrawingTurns::all().forget(*this);
     releaseContext();
     // The context outlives this part of the object: it must not call back.
     if (context())
@@ -100,6 +103,13 @@ void RenderView::redraw() {
         update();
 }
 
+QImage RenderView::picture() {
+    m_now = true;
+    QImage picture = grabFramebuffer();
+    m_now = false;
+    return picture;
+}
+
 void RenderView::fitWindow() {
     const int wide = static_cast<int>(std::lround(width() * devicePixelRatioF()));
     const int high = static_cast<int>(std::lround(height() * devicePixelRatioF()));
@@ -118,10 +128,28 @@ void RenderView::paintGL() {
     vtkOpenGLState* state = m_window->GetState();
     state->Reset();
     state->Push();
-    if (m_stale && !(drawsInSlices() && m_havePicture))
+    // A view with a picture, or without one so far, can wait while another one draws; one that is drawn at
+    // another size would flicker.
+    const bool atOnce = m_stale && !(drawsInSlices() && m_havePicture);
+    if (atOnce && (m_now || DrawingTurns::all().take(*this) || !(m_havePicture || m_justShown)))
         drawAtOnce();
-    copyToWidget();
+    m_havePicture ? copyToWidget() : showGround();
     state->Pop();
+}
+
+void RenderView::showEvent(QShowEvent* event) {
+    QOpenGLWidget::showEvent(event);
+    m_justShown = true;
+}
+
+void RenderView::showGround() {
+    QOpenGLFunctions* gl = context()->functions();
+    gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+    gl->glDisable(GL_SCISSOR_TEST);
+    const QColor colour = ground();
+    gl->glClearColor(static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()),
+                     static_cast<float>(colour.blueF()), 1);
+    gl->glClear(GL_COLOR_BUFFER_BIT);
 }
 
 void RenderView::drawAtOnce() {
@@ -130,6 +158,7 @@ void RenderView::drawAtOnce() {
     prepare(m_window->GetSize()[0], m_window->GetSize()[1], quick);
     renderWindow();
     m_havePicture = true;
+    m_justShown = false;
     if (quick) {
         m_slice = 0;
         m_sliceTimer.start();

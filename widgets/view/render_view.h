@@ -27,6 +27,9 @@ public:
 
     void redraw();
 
+    /// The newest picture, drawn now if it has to be.
+    [[nodiscard]] QImage picture();
+
     /// How long the last complete picture took to draw.
     [[nodiscard]] std::chrono::milliseconds lastPicture() const { return m_lastPicture; }
     /// Whether a picture asked for is not complete yet.
@@ -46,6 +49,10 @@ protected:
     /// A picture is complete; lastPicture() tells of it.
     virtual void pictureDone() {}
 
+    /// What is seen of a view that was just shown and waits for its turn.
+    [[nodiscard]] virtual QColor ground() const = 0;
+
+    void showEvent(QShowEvent* event) override;
     void initializeGL() override;
     void paintGL() override;
 
@@ -57,11 +64,14 @@ private:
     void drawNextSlice();
     void renderWindow();
     void copyToWidget();
+    void showGround();
 
     vtkNew<vtkGenericOpenGLRenderWindow> m_window;
     QTimer m_sliceTimer;
     int m_slice = 0;            ///< the next one to be drawn
     bool m_stale = true;        ///< another picture was asked for
+    bool m_now = false;         ///< it cannot wait for its turn
+    bool m_justShown = true;    ///< nobody has seen a picture of it yet
     bool m_havePicture = false; ///< one of the right size, complete or coarse
     std::chrono::steady_clock::duration m_spent{};
     std::chrono::milliseconds m_lastPicture{0};
