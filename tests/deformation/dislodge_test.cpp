@@ -77,8 +77,7 @@ TEST(LabelledPatch, IsACopyWhoseRimStays) {
         EXPECT_EQ(patch->at(origin), v);
         rim += copy.onRim(v);
         for (const auto h : topology.voh_range(v))
-            if (copy.onRim(v))
-                EXPECT_FALSE(copy.mayCollapse(h));
+            EXPECT_FALSE(copy.onRim(v) && copy.mayCollapse(h));
     }
     EXPECT_GT(rim, 6);
 }
