@@ -81,9 +81,9 @@ struct Tries {
     }
     [[nodiscard]] bool good() const { return best && goodEnough(*best); }
     [[nodiscard]] bool castable() const { return best && best->castable; }
-    /// Castable, but only by giving up a limb, or not castable at all.
+    /// Castable, but only by giving up a limb or the form, or not castable at all.
     [[nodiscard]] bool wantsFilling() const {
-        return !best || !best->castable || limbsLost(*best) > kMuchLost;
+        return !best || !best->castable || bentAway(*best) > kMuchLost;
     }
 };
 

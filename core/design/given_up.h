@@ -9,6 +9,7 @@ namespace moldwright {
 
 inline constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
 inline constexpr double kLimbVolume = 0.75; ///< share of its volume
+inline constexpr double kStrainKept = 1;    ///< rms strain above which nothing of the part's form is left
 
 /// By how much a limb fell short of what it is to keep.
 [[nodiscard]] inline double missing(const LimbMeasure& limb) {
@@ -23,9 +24,15 @@ inline constexpr double kLimbVolume = 0.75; ///< share of its volume
     return lost;
 }
 
-/// What the part has given up: limbs, and the share of its volume that filling buries it under.
+/// What bending has taken from the part: limbs, and its form where it was stretched beyond all measure, as a
+/// cup is that is turned inside out.
+[[nodiscard]] inline double bentAway(const DesignResult& result) {
+    return limbsLost(result) + std::max(0.0, result.strain.rms - kStrainKept);
+}
+
+/// What the part has given up: what bending took, and the share of its volume that filling buries it under.
 [[nodiscard]] inline double givenUp(const DesignResult& result) {
-    return limbsLost(result) + result.change.filledVolumeFraction;
+    return bentAway(result) + result.change.filledVolumeFraction;
 }
 
 } // namespace moldwright
