@@ -40,9 +40,8 @@ std::set<Halfedge> edgesAbout(const TriangleMesh& mesh, Face f) {
     return edges;
 }
 
-/// Collapses a onto b, mends what comes of it, and counts.
-Trial tryForcing(Surgery surgery, Vertex a, Vertex b) {
-    const int before = surgery.countStuck();
+/// Collapses a onto b, mends what comes of it, and counts; `before`: faces below τ as it is.
+Trial tryForcing(Surgery surgery, Vertex a, Vertex b, int before) {
     surgery.apply({Step::Kind::Collapse, a, b, {}});
     surgery.mend([&] {
         return surgery.mesh().topology().status(b).deleted() ? std::vector<Face>{}
@@ -56,18 +55,18 @@ Trial tryForcing(Surgery surgery, Vertex a, Vertex b) {
 void force(Surgery& surgery, Face f, const CleanUpGoal& goal) {
     const TriangleMesh& topology = surgery.mesh().topology();
     const Vertex corner = *topology.cfv_begin(f);
-    const std::optional<LabelledPatch> patch = surgery.mesh().patchAbout(corner, kRingsOfPatch);
+    std::optional<LabelledPatch> patch = surgery.mesh().patchAbout(corner, kRingsOfPatch);
     if (!patch)
         return;
     const Surgery untouched(patch->mesh, goal);
+    const int before = untouched.countStuck();
     std::optional<Trial> best;
     for (const Halfedge h : edgesAbout(topology, f)) {
         const Vertex a = patch->at(topology.from_vertex_handle(h));
         const Vertex b = patch->at(topology.to_vertex_handle(h));
-        LabelledMesh mesh = patch->mesh;
-        if (!mesh.mayCollapse(mesh.topology().find_halfedge(a, b)))
+        if (!patch->mesh.mayCollapse(patch->mesh.topology().find_halfedge(a, b)))
             continue;
-        Trial trial = tryForcing(untouched, a, b);
+        Trial trial = tryForcing(untouched, a, b, before);
         if (trial.freed > 0 && (!best || trial < *best))
             best.emplace(std::move(trial));
     }

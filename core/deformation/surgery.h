@@ -5,7 +5,7 @@
 
 #include <functional>
 #include <optional>
-#include <span>
+#include <utility>
 #include <vector>
 
 namespace moldwright {

@@ -15,7 +15,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double heightOverWidth = 0.4;
 constexpr int attempts = 10;
 
 IndexedMesh inOne(const std::vector<IndexedMesh>& bodies) {

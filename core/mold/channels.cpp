@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double heightOverWidth = 0.4; ///< on each side: a section near to a circle's
 constexpr double leastLean = 0.02;      ///< a channel's wall never overhangs the plane's normal
 constexpr double guestBelowHost = 0.85; ///< so that a wall stays above a guest's section
 

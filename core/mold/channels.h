@@ -28,6 +28,9 @@ struct ChannelRules {
                                              std::vector<DraftedPrism::Opening> openings) const;
 };
 
+/// Of a channel, on each side of the plane: a section near to a circle's.
+inline constexpr double heightOverWidth = 0.4;
+
 /// Widths in the parting plane that follow from the spout's, mm.
 struct ChannelWidths {
     double main = 0;   ///< spout and main runner

@@ -12,12 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Copies stand at multiples of this, mm: it is one of every grid.
-constexpr double step = 1.0 / 256;
-
-Vector2d onStep(const Vector2d& p) {
-    return (p / step).array().round().matrix() * step;
-}
+constexpr double rounding = 2.0 / 256; ///< mm, by which two copies may stand nearer than computed
 
 /// Where place i lies, seen from the middle. Straight up there is the spout.
 Vector2d wayTo(int i, int count) {
@@ -61,7 +56,7 @@ private:
             CavityCopy copy;
             copy.kind = i;
             copy.column = static_cast<int>(i);
-            copy.offset = onStep(-radius * m_kinds[i].inlet - m_tips[i]);
+            copy.offset = onCopyStep(-radius * m_kinds[i].inlet - m_tips[i]);
             layout.copies.push_back(copy);
             layout.arms.emplace_back(-m_kinds[i].inlet);
             layout.tipRadii.push_back((m_tips[i] + copy.offset).norm());
@@ -85,7 +80,7 @@ private:
                 if (!planKeepsClear(hulls[i], hulls[j], m_spacing))
                     return false;
             for (const PlanShape& channel : channels)
-                if (!planKeepsClear(hulls[i], channel, m_spacing - 2 * step))
+                if (!planKeepsClear(hulls[i], channel, m_spacing - rounding))
                     return false;
         }
         return true;
@@ -105,16 +100,16 @@ std::vector<CavityKind> kindsRound(const IndexedMesh& cast, const SideLabels& la
                                    const Directions& directions, double draftDegrees, double grid,
                                    int count) {
     std::vector<CavityKind> turned;
+    const CavityKind upright = cavityKind(cast, labels);
     std::vector<CavityKind> moved;
     for (int i = 0; i < count; ++i) {
         const Vector2d inlet = -wayTo(i, count);
-        moved.push_back(cavityKind(cast, labels));
+        moved.push_back(upright);
         moved.back().inlet = inlet;
         if (turned.size() < static_cast<std::size_t>(i))
             continue;                                          // a turn before this one was not allowed
         const double turn = std::atan2(-inlet.x(), inlet.y()); // of +y onto the inlet
-        std::expected<CavityKind, double> kind =
-            turnedKind(moved.front(), turn, directions, draftDegrees, grid);
+        std::expected<CavityKind, double> kind = turnedKind(upright, turn, directions, draftDegrees, grid);
         if (kind) {
             kind->inlet = inlet;
             turned.push_back(*std::move(kind));

@@ -10,9 +10,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Copies stand at multiples of this, mm: it is one of every grid.
-constexpr double step = 1.0 / 256;
-
 std::string numberOf(std::size_t cavity) {
     return std::to_string(cavity + 1);
 }
@@ -33,7 +30,7 @@ public:
             CavityCopy copy;
             copy.kind = i;
             copy.column = static_cast<int>(i);
-            copy.offset = (Vector2d(places[i].x, places[i].y) / step).array().round().matrix() * step;
+            copy.offset = onCopyStep({places[i].x, places[i].y});
             m_layout.copies.push_back(copy);
             m_hulls.push_back(movedPlan(kinds[i].hull, copy.offset));
             for (const Vector2d& p : m_hulls.back())

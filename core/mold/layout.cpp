@@ -59,21 +59,30 @@ const char* refusalOf(Alternation alternation) {
     }
 }
 
+/// A cast that was put another way, on the grid, or the draft in degrees that it would have.
+std::expected<CavityKind, double> certifiedKind(const IndexedMesh& placed, const SideLabels& labels,
+                                                const Directions& directions, double draftDegrees,
+                                                double grid) {
+    IndexedMesh cast = roundKeepingDraft(placed, labels, directions, draftDegrees, grid);
+    const Certificate certificate = certify(cast, labels, {{}, directions}, draftDegrees);
+    if (!certificate.holds())
+        return std::unexpected(certificate.worstDraftDegrees);
+    return cavityKind(std::move(cast), labels);
+}
+
 Result<CavityKind> alternateKind(const CavityKind& first, const Directions& directions, double draftDegrees,
                                  double grid, Alternation alternation) {
     const Vector3d signs = signsOf(alternation);
     IndexedMesh cast{first.cast.V * signs.asDiagonal(), first.cast.F};
     if (signs.prod() < 0)
         cast.F.col(1).swap(cast.F.col(2));
-    const SideLabels labels = labelSides(cast, {});
-    cast = roundKeepingDraft(cast, labels, directions, draftDegrees, grid);
-    const Certificate certificate = certify(cast, labels, {{}, directions}, draftDegrees);
-    if (!certificate.holds())
+    std::expected<CavityKind, double> kind =
+        certifiedKind(cast, labelSides(cast, {}), directions, draftDegrees, grid);
+    if (!kind)
         return failure(ErrorCode::Impossible, refusalOf(alternation),
-                       {readable(certificate.worstDraftDegrees), readable(draftDegrees)});
-    CavityKind kind = cavityKind(std::move(cast), labels);
-    kind.mirrored = alternation == Alternation::Mirror;
-    return kind;
+                       {readable(kind.error()), readable(draftDegrees)});
+    kind->mirrored = alternation == Alternation::Mirror;
+    return *std::move(kind);
 }
 
 /// The least multiple of 1/16 by which `b` must stand further along `way` to keep `spacing` from `a`.
@@ -197,12 +206,10 @@ std::expected<CavityKind, double> turnedKind(const CavityKind& kind, double angl
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
     IndexedMesh cast{kind.cast.V * turn.transpose(), kind.cast.F};
     cast.V.col(2) = kind.cast.V.col(2); // the plane stays, to the bit
-    cast = roundKeepingDraft(cast, kind.labels, directions, draftDegrees, grid);
-    const Certificate certificate = certify(cast, kind.labels, {{}, directions}, draftDegrees);
-    if (!certificate.holds())
-        return std::unexpected(certificate.worstDraftDegrees);
-    CavityKind turned = cavityKind(std::move(cast), kind.labels);
-    turned.turn = kind.turn + angle;
+    std::expected<CavityKind, double> turned =
+        certifiedKind(cast, kind.labels, directions, draftDegrees, grid);
+    if (turned)
+        turned->turn = kind.turn + angle;
     return turned;
 }
 
@@ -222,6 +229,11 @@ std::vector<Gate> gatesAtInlet(const CavityKind& kind, double width) {
             p = kind.toInlet(p);
     }
     return gates;
+}
+
+Vector2d onCopyStep(const Vector2d& place) {
+    constexpr double step = 1.0 / 256;
+    return (place / step).array().round().matrix() * step;
 }
 
 void centreLayout(Layout& layout, const std::vector<CavityKind>& kinds) {

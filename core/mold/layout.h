@@ -88,6 +88,9 @@ struct Layout {
 [[nodiscard]] Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings,
                               const RunnerRoom& room);
 
+/// The nearest place where a copy may stand: a multiple of 1/256 mm, which is one of every grid.
+[[nodiscard]] Eigen::Vector2d onCopyStep(const Eigen::Vector2d& place);
+
 /// Moves all of a layout so that the middle of its cavities is over the origin.
 void centreLayout(Layout& layout, const std::vector<CavityKind>& kinds);
 

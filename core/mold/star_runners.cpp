@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double heightOverWidth = 0.4;
-
 double cross(const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
