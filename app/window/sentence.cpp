@@ -2,7 +2,6 @@
 #include "window/sentence.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 namespace moldwright {
 
@@ -27,12 +26,21 @@ std::string translated(const std::string& english) {
     return english;
 }
 
+/// A number as it is set in print; anything else, such as a file's name, as it is.
+std::string withTrueMinus(const std::string& argument) {
+    const QString text = QString::fromStdString(argument);
+    bool isNumber = false;
+    text.toDouble(&isNumber);
+    return isNumber ? QString(text).replace(u'-', QChar(0x2212)).toStdString() : argument;
+}
+
 } // namespace
 
 QString sentence(const Message& message) {
-    static const QRegularExpression hyphenInPlace(u"([(,] ?)-(?=\\d)"_s);
-    const QString minus = u"\\1"_s + QChar(0x2212);
-    return QString::fromStdString(message.fill(translated(message.text))).replace(hyphenInPlace, minus);
+    Message shown{translated(message.text), message.arguments};
+    for (std::string& argument : shown.arguments)
+        argument = withTrueMinus(argument);
+    return QString::fromStdString(shown.english());
 }
 
 QString sentence(const std::string& english) {

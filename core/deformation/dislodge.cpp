@@ -23,7 +23,7 @@ constexpr int kRingsOfPatch = 8; ///< about a stuck face: beyond what mending ca
 /// What a forced collapse and the mending after it come to.
 struct Trial {
     std::vector<Step> steps;
-    int freed; ///< faces below τ before, less those after
+    int freed; ///< stuck faces before, less those after
     bool operator<(const Trial& other) const {
         return std::pair(-freed, steps.size()) < std::pair(-other.freed, other.steps.size());
     }
@@ -40,7 +40,7 @@ std::set<Halfedge> edgesAbout(const TriangleMesh& mesh, Face f) {
     return edges;
 }
 
-/// Collapses a onto b, mends what comes of it, and counts; `before`: faces below τ as it is.
+/// Collapses a onto b, mends what comes of it, and counts; `before`: stuck faces as it is.
 Trial tryForcing(Surgery surgery, Vertex a, Vertex b, int before) {
     surgery.apply({Step::Kind::Collapse, a, b, {}});
     surgery.mend([&] {

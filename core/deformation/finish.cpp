@@ -46,10 +46,14 @@ std::vector<char> below(const LabelledSurface& surface, const Directions& direct
     return faces;
 }
 
-int violations(const LabelledSurface& surface, const Directions& directions, double draftDegrees) {
+int tooSteep(const LabelledSurface& surface, const Directions& directions, double draftDegrees) {
     return sideDraft(surface.mesh.F, surface.labels, directions, surface.mesh.V,
                      std::sin(radians(draftDegrees)))
         .violating;
+}
+
+int violations(const LabelledSurface& surface, const Directions& directions, double draftDegrees) {
+    return tooSteep(surface, directions, draftDegrees) + countFolds(surface);
 }
 
 /// Where a round works: about the faces that need it; everywhere while these are many.
@@ -98,7 +102,8 @@ bool runRounds(LabelledSurface& surface, First first, const FinishGoal& goal, co
         if (violations(surface, goal.directions, goal.draftDegrees + kEnough) == 0)
             return true;
         task.progress(static_cast<double>(round) / goal.rounds, "finish");
-        relax(surface, weights, goal, rings, task);
+        if (tooSteep(surface, goal.directions, goal.draftDegrees + kEnough) > 0)
+            relax(surface, weights, goal, rings, task);
         cleanUp(surface, mending);
         weights.elastic = std::max(weights.elastic * 0.1, 1e-8);
         weights.barrier = std::max(weights.barrier * 0.3, 1e-4);

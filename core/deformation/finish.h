@@ -24,7 +24,8 @@ struct FinishGoal {
 /// points of the parting line stay in the plane and the line stays simple. The last step of Algorithm 1 in
 /// [Stein 2019], on a surface whose parting line is inserted. After the first rounds only the surroundings of
 /// the faces that are short move; where what is left is stuck, it begins again in the other order. `watch`,
-/// if set, sees every round. Returns whether every face has its draft.
+/// if set, sees every round. Returns whether every face has its draft and
+/// none is folded.
 bool finishSurface(LabelledSurface& surface, const FinishGoal& goal, const Task& task,
                    const std::function<void(const LabelledSurface&)>& watch);
 

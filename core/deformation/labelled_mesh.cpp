@@ -50,6 +50,23 @@ bool rimIsSimple(const Triangles& F) {
 
 } // namespace
 
+int countFolds(const LabelledSurface& surface) {
+    const IndexedMesh& mesh = surface.mesh;
+    std::map<std::pair<int, int>, int> labelAt;
+    int folds = 0;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        if (mesh.corner(f, 0).z() != 0 || mesh.corner(f, 1).z() != 0 || mesh.corner(f, 2).z() != 0)
+            continue;
+        const int label = surface.labels[static_cast<std::size_t>(f)];
+        for (int k = 0; k < 3; ++k) {
+            const auto [a, b] = std::minmax(mesh.F(f, k), mesh.F(f, (k + 1) % 3));
+            const auto [there, first] = labelAt.try_emplace({a, b}, label);
+            folds += !first && there->second != label;
+        }
+    }
+    return folds;
+}
+
 LabelledMesh::LabelledMesh(const LabelledSurface& surface) : m_mesh(toTriangleMesh(surface.mesh)) {
     m_mesh.add_property(m_label);
     for (const auto f : m_mesh.faces())
@@ -88,6 +105,16 @@ bool LabelledMesh::onCurve(Edge e) const {
 bool LabelledMesh::onCurve(Vertex v) const {
     const auto edges = m_mesh.ve_range(v);
     return std::any_of(edges.begin(), edges.end(), [&](auto e) { return onCurve(e); });
+}
+
+bool LabelledMesh::isFolded(Face f) const {
+    const auto lies = [this](Face face) {
+        return std::ranges::all_of(corners(face), [](const Eigen::Vector3d& x) { return x.z() == 0; });
+    };
+    const auto edges = m_mesh.fh_range(f);
+    return lies(f) && std::any_of(edges.begin(), edges.end(), [&](Halfedge h) {
+               return onCurve(m_mesh.edge_handle(h)) && lies(m_mesh.opposite_face_handle(h));
+           });
 }
 
 std::vector<LabelledMesh::Face> LabelledMesh::facesAbout(Vertex v, int rings) const {

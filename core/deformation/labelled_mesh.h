@@ -21,6 +21,9 @@ struct LabelledSurface {
 
 struct LabelledPatch;
 
+/// Edges of the parting line at which the surface is folded: LabelledMesh::isFolded().
+[[nodiscard]] int countFolds(const LabelledSurface& surface);
+
 /// A labelled surface with topology (OpenMesh), and what may be done to its edges without spoiling the
 /// parting line. It is closed, or a patch of a closed one, whose rim stays as it is.
 class LabelledMesh {
@@ -44,6 +47,9 @@ public:
     [[nodiscard]] bool onCurve(Vertex v) const;
     [[nodiscard]] bool onPlane(Vertex v) const { return m_mesh.point(v).z() == 0; }
     [[nodiscard]] bool onRim(Vertex v) const { return m_mesh.is_boundary(v); }
+    /// Whether f and its neighbour across the parting line both lie in the plane: facing opposite ways, they
+    /// lie one upon the other, and the part between them has no thickness.
+    [[nodiscard]] bool isFolded(Face f) const;
 
     /// The faces within `rings` rings of v, ascending.
     [[nodiscard]] std::vector<Face> facesAbout(Vertex v, int rings) const;

@@ -32,10 +32,12 @@ public:
     void mend(const std::function<std::vector<Face>()>& faces);
 
     [[nodiscard]] std::vector<Face> allFaces() const;
-    /// Those that miss their draft or are too thin, worst first.
+    /// Those that miss their draft, are folded or too thin, worst first.
     [[nodiscard]] std::vector<Face> facesToMend(const std::vector<Face>& among) const;
-    /// Whether it is there and misses its draft.
-    [[nodiscard]] bool isStuck(Face f) const { return !topology().status(f).deleted() && isShort(f); }
+    /// Whether it is there, and misses its draft or is folded.
+    [[nodiscard]] bool isStuck(Face f) const {
+        return !topology().status(f).deleted() && (isShort(f) || m_mesh.isFolded(f));
+    }
     [[nodiscard]] int countStuck() const;
 
     /// Makes a change whether it pays or not.
@@ -68,7 +70,7 @@ private:
     [[nodiscard]] double draft(Face f) const { return draft(m_mesh.corners(f), m_mesh.label(f)); }
     [[nodiscard]] bool isShort(Face f) const { return draft(f) < m_goal.tau; }
     [[nodiscard]] bool tooThin(Face f) const;
-    [[nodiscard]] bool needsMending(Face f) const { return isShort(f) || tooThin(f); }
+    [[nodiscard]] bool needsMending(Face f) const { return isShort(f) || tooThin(f) || m_mesh.isFolded(f); }
     void count(Standing& standing, const Corners& x, int label) const;
     [[nodiscard]] bool pays(const Standing& before, const Standing& after) const;
     [[nodiscard]] std::optional<Change> tryFlip(Halfedge h);

@@ -29,6 +29,18 @@ double floatStep(const IndexedMesh& part) {
     return largest * std::numeric_limits<float>::epsilon();
 }
 
+/// The proof on the cast, and where that holds, on the cast in the mold's frame: where a skirt nearly touches
+/// another surface, floats that fall otherwise may make them cross there.
+Certificate proofOf(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
+                    double draftDegrees) {
+    Certificate proof = certify(cast, labels, state, draftDegrees);
+    if (!proof.holds())
+        return proof;
+    const PlacedCast placed = placeCast(cast, labels, state, draftDegrees);
+    const Certificate inMold = certify(placed.mesh, labels, placed.state, draftDegrees);
+    return inMold.holds() ? proof : inMold;
+}
+
 /// Rounds to floats, proves, measures.
 void takeCast(DesignResult& result, const PartedPart& part, const BentShape& bent, DesignRun& run) {
     const Stopwatch watch(run.seconds(), "postprocess");
@@ -42,7 +54,7 @@ void takeCast(DesignResult& result, const PartedPart& part, const BentShape& ben
     result.labels = surface.labels;
     result.before = before.V(source, Eigen::all);
     parallelInvoke(
-        {[&] { result.certificate = certify(rounded, surface.labels, part.state, request.draftDegrees); },
+        {[&] { result.certificate = proofOf(rounded, surface.labels, part.state, request.draftDegrees); },
          [&] { result.limbs = measureLimbs(before, rounded, source, request.limbTips); },
          [&] { result.change = measureChange(*request.part, before, rounded, source); },
          [&] { result.strain = surfaceStrain(before, rounded, source); },
@@ -168,13 +180,6 @@ Result<PartedPart> parted(const Attempt& attempt, const Task& task, DesignRun& r
                         attempt, run);
 }
 
-/// Whether the proof stands in the mold's frame too. Where a skirt nearly touches another surface, floats
-/// that fall otherwise may make them cross.
-bool holdsInMold(const DesignResult& result, double draftDegrees) {
-    const PlacedCast placed = placeCast(*result.cast, result.labels, result.state, draftDegrees);
-    return certify(placed.mesh, result.labels, placed.state, draftDegrees).holds();
-}
-
 /// Everything filled, with draft: then nothing needs bending, and only the finish has a little to do.
 Result<DesignResult> fillWholly(const Attempt& attempt, const ShapeGoal& goal, const Task& task,
                                 DesignRun& run) {
@@ -191,10 +196,7 @@ Result<DesignResult> fillWholly(const Attempt& attempt, const ShapeGoal& goal, c
     for (const bool followed : {false, true}) {
         const BentShape asItIs{surfaceAt(*part, part->surface.mesh.V), 0, followed, part->pins};
         result = finishAndProve(*part, asItIs, goal, task, run);
-        if (!result || task.stopped())
-            break;
-        result->castable = result->castable && holdsInMold(*result, goal.draftDegrees);
-        if (result->castable)
+        if (!result || result->castable || task.stopped())
             break;
     }
     return result;

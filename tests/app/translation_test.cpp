@@ -126,6 +126,6 @@ TEST_P(Translated, EverySampleHasItsWords) {
 }
 
 TEST(Translation, NegativeCoordinatesHaveAMinusAndFileNamesKeepTheirHyphens) {
-    EXPECT_EQ(sentence(Message{"near ({0}, {1}) of a-5.stl", {"-1.5", "-2"}}),
-              QString::fromUtf8("near (−1.5, −2) of a-5.stl"));
+    EXPECT_EQ(sentence(Message{"near ({0}, {1}) of {2}", {"-1.5", "-2", "part (-1),-5.stl"}}),
+              QString::fromUtf8("near (−1.5, −2) of part (-1),-5.stl"));
 }

@@ -60,6 +60,16 @@ TEST(Dislodge, LeavesASoundSurfaceAlone) {
     EXPECT_EQ(dislodge(surface, {{}, kTau, 0, 0}), 0);
 }
 
+TEST(Dislodge, TakesAwayAFinOfNoThickness) {
+    LabelledSurface surface = test::finInThePlane();
+    ASSERT_EQ(facesShort(surface), 0);
+    ASSERT_EQ(countFolds(surface), 2);
+    EXPECT_GT(dislodge(surface, {{}, kTau, 0, 0}), 0);
+    EXPECT_EQ(countFolds(surface), 0);
+    EXPECT_EQ(facesShort(surface), 0);
+    EXPECT_TRUE(test::soundlyParted(surface));
+}
+
 TEST(LabelledPatch, IsACopyWhoseRimStays) {
     LabelledMesh whole(test::labelledBall(4));
     const LabelledMesh::Vertex centre(0);

@@ -66,3 +66,9 @@ TEST(Finish, EndsEarlyWhenCancelled) {
     task.cancel();
     EXPECT_FALSE(finishSurface(surface, {{}, 1, 1e-7, 10}, task, {}));
 }
+
+TEST(Finish, LeavesNothingFoldedInThePlane) {
+    LabelledSurface surface = test::finInThePlane();
+    EXPECT_TRUE(finishSurface(surface, {{}, 1, 1e-7, 10}, {}, {}));
+    EXPECT_EQ(countFolds(surface), 0);
+}

@@ -52,4 +52,34 @@ bool soundlyParted(const LabelledSurface& surface) {
     return nesting.simple && nesting.alternating;
 }
 
+LabelledSurface finInThePlane() {
+    constexpr int corners = 12;
+    constexpr int top = corners;
+    constexpr int bottom = corners + 1;
+    constexpr int tip = corners + 2;
+    LabelledSurface surface;
+    surface.mesh.V.resize(corners + 3, 3);
+    for (int i = 0; i < corners; ++i)
+        surface.mesh.V.row(i) << std::cos(2 * std::numbers::pi * i / corners),
+            std::sin(2 * std::numbers::pi * i / corners), 0;
+    surface.mesh.V.row(top) << 0, 0, 1;
+    surface.mesh.V.row(bottom) << 0, 0, -1;
+    surface.mesh.V.row(tip) = 0.55 * (surface.mesh.V.row(0) + surface.mesh.V.row(1));
+    std::vector<Eigen::Vector3i> faces{{0, tip, 2}, {tip, 1, 2}, {0, 2, top}};
+    for (int i = 2; i < corners; ++i)
+        faces.emplace_back(i, (i + 1) % corners, top);
+    const std::size_t above = faces.size();
+    faces.emplace_back(1, tip, 0);
+    for (int i = 0; i < corners; ++i)
+        faces.emplace_back((i + 1) % corners, i, bottom);
+    surface.mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        surface.mesh.F.row(static_cast<Eigen::Index>(f)) = faces[f].transpose();
+        surface.labels.push_back(f < above ? 1 : 2);
+    }
+    surface.sourceVertex.resize(corners + 3);
+    std::iota(surface.sourceVertex.begin(), surface.sourceVertex.end(), 0);
+    return surface;
+}
+
 } // namespace moldwright::test

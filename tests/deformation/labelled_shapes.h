@@ -19,4 +19,8 @@ SideLabels labelsByHeight(const IndexedMesh& mesh);
 /// line simple and nested.
 bool soundlyParted(const LabelledSurface& surface);
 
+/// Two cones base to base with a fin in the plane: by three points of the parting line its two sides lie one
+/// upon the other. All faces have their draft.
+[[nodiscard]] LabelledSurface finInThePlane();
+
 } // namespace moldwright::test
