@@ -34,7 +34,7 @@ constexpr int kLimbRounds = 2;       ///< in which lost limbs are kept by fillin
 constexpr double kHopeless = 1;      ///< missing shares, summed, that no finer stand-in brings back
 
 bool goodEnough(const DesignResult& result) {
-    return result.castable && limbsLost(result) == 0;
+    return result.castable && bentAway(result) == 0;
 }
 
 /// Castable before not castable; then the less given up, or the less left undone.
@@ -178,15 +178,18 @@ public:
     FillingTries(const PinnedShape& part, const MoldState& state, Tries& tries, DesignRun& run)
         : m_part(part), m_state(state), m_tries(tries), m_run(run), m_task(run.task().part(0.95, 1)) {}
 
-    /// As little as needed first: the less is filled, the more of the part is kept.
-    void run() {
-        const FillExtent least = m_tries.first ? FillExtent::Chosen : FillExtent::Needed;
-        const std::vector<UndercutChoice>& asked = m_run.request().undercuts;
-        if (least == FillExtent::Needed && !m_run.stopped())
-            fill({least, asked});
+    /// As little as needed: the less is filled, the more of the part is kept. `passes`: nothing is needed at
+    /// this state.
+    void fillLittle(bool passes) {
+        const FillExtent least = passes ? FillExtent::Chosen : FillExtent::Needed;
+        if (!passes && !m_run.stopped())
+            fill({least, m_run.request().undercuts});
         fillAtLostLimbs(least);
-        if (m_tries.wantsFilling() && !m_run.stopped())
-            fill({FillExtent::All, asked});
+    }
+
+    void fillAll() {
+        if (!m_run.stopped())
+            fill({FillExtent::All, m_run.request().undercuts});
     }
 
 private:
@@ -222,6 +225,26 @@ private:
     DesignRun& m_run;
     Task m_task;
 };
+
+/// Fills where bending alone does not end well. Where even that costs more than filling all at another plane,
+/// that plane is tried too.
+void tryFilling(const PinnedShape& pinned, const MoldStates& states, Tries& tries, DesignRun& run) {
+    if (tries.first && !tries.wantsFilling())
+        return;
+    const MoldState best = tries.first.value_or(states.best());
+    FillingTries atBest(pinned, best, tries, run);
+    atBest.fillLittle(tries.first.has_value());
+    const FillableState other = states.leastToFill();
+    const auto costsMore = [&] { return !tries.castable() || givenUp(*tries.best) > other.filled; };
+    if (other.state.plane != best.plane && costsMore()) {
+        FillingTries elsewhere(pinned, other.state, tries, run);
+        elsewhere.fillLittle(false);
+        if (costsMore())
+            elsewhere.fillAll();
+    }
+    if (tries.wantsFilling())
+        atBest.fillAll();
+}
 
 void tellObstructions(DesignResult& result, ObstructedPart obstructed, const WorkingFrame& frame) {
     result.obstructions = std::move(obstructed.obstructions);
@@ -276,24 +299,23 @@ Result<DesignResult> bendPart(const PinnedShape& pinned, DesignRun& run) {
     if (!states)
         return std::unexpected(states.error());
     Tries tries = tryStates(pinned, *states, run);
-    ObstructedPart obstructed;
-    if (!tries.first && !run.stopped())
-        obstructed = obstructionsAt(shape, states->best(), run.request().undercuts, run.task());
-    if (!obstructed.obstructions.empty())
-        offerRemedies(obstructed, shape, states->best(), run);
     if (run.request().fill == FillChoice::Auto)
-        FillingTries(pinned, tries.first.value_or(states->best()), tries, run).run();
+        tryFilling(pinned, *states, tries, run);
+    if (!tries.best && run.stopped())
+        return DesignRun::cancelled();
+    const MoldState state = tries.best ? tries.best->state : states->best();
+    ObstructedPart obstructed;
+    if (!run.stopped() && (!tries.first || (tries.best && tries.best->change.filledVolumeFraction > 0)))
+        obstructed = obstructionsAt(shape, state, run.request().undercuts, run.task());
+    if (obstructed.obstructions.empty())
+        return tries.best ? Result<DesignResult>(*tries.best) : std::unexpected(*tries.lastError);
+    offerRemedies(obstructed, shape, state, run);
     if (!tries.best) {
-        if (run.stopped())
-            return DesignRun::cancelled();
-        if (obstructed.obstructions.empty())
-            return std::unexpected(*tries.lastError);
         tries.best.emplace();
-        tries.best->state = states->best();
+        tries.best->state = state;
         tries.best->certificate.reason = obstructed.obstructions.front().message.english();
     }
-    if (!obstructed.obstructions.empty())
-        tellObstructions(*tries.best, std::move(obstructed), WorkingFrame(shape, states->best()));
+    tellObstructions(*tries.best, std::move(obstructed), WorkingFrame(shape, state));
     return *tries.best;
 }
 

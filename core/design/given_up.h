@@ -24,10 +24,16 @@ inline constexpr double kStrainKept = 1;    ///< rms strain above which nothing 
     return lost;
 }
 
-/// What bending has taken from the part: limbs, and its form where it was stretched beyond all measure, as a
-/// cup is that is turned inside out.
+/// By how much the part itself, filling aside, fell short of the volume that a limb is to keep.
+[[nodiscard]] inline double volumeLost(const DesignResult& result) {
+    const double kept = result.change.volumeRatio / (1 + result.change.filledVolumeFraction);
+    return std::max(0.0, kLimbVolume - kept);
+}
+
+/// What bending has taken from the part: limbs, volume, and its form where it was stretched beyond all
+/// measure, as a cup is that is turned inside out.
 [[nodiscard]] inline double bentAway(const DesignResult& result) {
-    return limbsLost(result) + std::max(0.0, result.strain.rms - kStrainKept);
+    return limbsLost(result) + volumeLost(result) + std::max(0.0, result.strain.rms - kStrainKept);
 }
 
 /// What the part has given up: what bending took, and the share of its volume that filling buries it under.

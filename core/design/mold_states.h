@@ -9,11 +9,18 @@
 
 namespace moldwright {
 
+/// A state, and the share of the part's volume that filling all would take there; see estimatedFill().
+struct FillableState {
+    MoldState state;
+    double filled = 0;
+};
+
 /// The states (plane and directions) that a design tries, one after the other: the given plane alone, or the
 /// best planes of the part that pass the topological certificate. The preferred plane comes first. Where it
 /// does not serve, planes near it hardly will: next come planes that lean clearly differently from all
 /// before, by their energy alone (the preference for volume on both sides does not count any more), then the
-/// rest. Each is tested only when its turn comes.
+/// rest. Planes that lean otherwise than all of these follow: a coil is parted well square to its axis,
+/// although nearly all of it must be bent then. Each is tested only when its turn comes.
 class MoldStates {
 public:
     /// `shape` (part frame) and `run` must outlive it. Errors: Cancelled.
@@ -25,15 +32,20 @@ public:
     /// The state of least energy, whether it passes or not.
     [[nodiscard]] const MoldState& best() const { return m_best; }
 
+    /// Of all states, passing or not, the one at which filling all takes the least.
+    [[nodiscard]] FillableState leastToFill() const;
+
 private:
     MoldStates(const IndexedMesh& shape, DesignRun& run) : m_shape(&shape), m_run(&run) {}
-    [[nodiscard]] MoldState stateAt(const PlaneCandidate& candidate) const;
+    void addOtherPlanes();
+    [[nodiscard]] MoldState stateAt(const MoldState& candidate) const;
     [[nodiscard]] std::optional<MoldState> takeIfPassing(std::size_t i);
 
     const IndexedMesh* m_shape;
     DesignRun* m_run;
     MoldState m_best;
-    std::vector<PlaneCandidate> m_left;     ///< not yet tested, in the order to try
+    std::vector<MoldState> m_all;
+    std::vector<MoldState> m_left;          ///< not yet tested, in the order to try
     std::vector<Eigen::Vector3d> m_normals; ///< of those handed out
 };
 
