@@ -265,17 +265,17 @@ Result<ExitCode> runDesign(const DesignOptions& options, const Session& session)
     if (const Result<void> done = frames.finish(); !done)
         return std::unexpected(done.error());
     result->warnings = warningsFor(*part, *result);
+    // Whatever becomes of the mold, a cast that is made is written.
+    Result<void> mold;
     if (options.mold && result->castable && !result->cutShort)
-        if (const Result<void> done = writeMoldOf(options, *request, *result, session.task().part(0.85, 1));
-            !done)
-            return std::unexpected(done.error());
+        mold = writeMoldOf(options, *request, *result, session.task().part(0.85, 1));
     whole.reset();
     result->seconds.insert(seconds.begin(), seconds.end());
     const StoredProject project{projectOf(options, *source, placement, *request, guides, *result), "", ""};
     if (const Result<void> done = writeAll(options, *request, *result, project, session); !done)
         return std::unexpected(done.error());
     tell(*result, session);
-    return answerOf(*result);
+    return mold ? Result<ExitCode>(answerOf(*result)) : std::unexpected(mold.error());
 }
 
 void declareOptions(CLI::App& app, DesignOptions& o) {

@@ -204,6 +204,16 @@ TEST_F(DesignCommands, DesignFillsWhatNoBendingFrees) {
     EXPECT_TRUE(std::filesystem::exists(in("ring/mold-half-1.stl")));
 }
 
+TEST_F(DesignCommands, ACastIsWrittenThoughItsMoldCannotBe) {
+    const test::Run run = test::runProgram(
+        {"design", sample("rabbit"), "--out", in("rabbit"), "--size", "80", "--mold", "--vents", "auto"});
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_NE(run.err.find("Vents need a spout"), std::string::npos) << run.err;
+    EXPECT_EQ(Json::parse(contentsOf(in("rabbit/design.json")))["castable"], true);
+    EXPECT_TRUE(std::filesystem::exists(in("rabbit/project.moldwright")));
+    EXPECT_FALSE(std::filesystem::exists(in("rabbit/mold.json")));
+}
+
 TEST_F(DesignCommands, DesignEndsWhenItsTimeIsOver) {
     const test::Run run =
         test::runProgram({"design", sample("goat"), "--out", in("goat"), "--time-limit", "0.2"});
