@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace moldwright::render {
 
@@ -81,12 +82,18 @@ double drawSection(Paper& paper, double x, double y, double w, const ReportSecti
 }
 
 double drawTable(Paper& paper, double y, const ReportTable& table) {
-    const double w = (Paper::right - Paper::left) / static_cast<double>(table.columns.size());
+    const std::vector<double> shares =
+        table.widths.empty() ? std::vector<double>(table.columns.size(), 1) : table.widths;
+    const double unit = (Paper::right - Paper::left) / std::accumulate(shares.begin(), shares.end(), 0.0);
     const auto row = [&](const std::vector<std::string>& cells, const Type& type) {
         double tall = 0;
-        for (std::size_t c = 0; c < cells.size(); ++c)
-            tall = std::max(tall, paper.text(Paper::left + static_cast<double>(c) * w, y + 0.9, w - 1.5,
-                                             words(cells[c]), type, c == 0 ? Qt::AlignLeft : Qt::AlignRight));
+        double x = Paper::left;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const double w = shares[c] * unit;
+            tall = std::max(tall, paper.text(x, y + 0.9, w - 1.5, words(cells[c]), type,
+                                             c == 0 ? Qt::AlignLeft : Qt::AlignRight));
+            x += w;
+        }
         y += tall + 1.7;
         paper.line(Paper::left, y, Paper::right, y, 0.5, ink::hairline);
     };
@@ -156,7 +163,8 @@ double drawBars(Paper& paper, double x, double y, double w, const DraftBars& bar
     paper.line(x + 1.5, foot, x + w - 1.5, foot, 0.7, ink::text);
     const double goal = x + 1.5 + (w - 3) * requiredDraft / 90;
     paper.dashedLine(goal, top - 1, goal, foot, 0.7, ink::red);
-    paper.text(goal + 5, top - 1, 40, QStringLiteral("%1° required").arg(words(readable(requiredDraft))),
+    // Beside the title: bars may be as tall as the frame.
+    paper.text(x + 16, y + 0.4, 30, QStringLiteral("%1° required").arg(words(readable(requiredDraft))),
                {7.5, false, ink::red});
     for (int angle = 0; angle <= 90; angle += 15)
         paper.text(x + 1.5 + (w - 3) * angle / 90 - 6, foot + 0.8, 12, QStringLiteral("%1°").arg(angle),

@@ -13,9 +13,9 @@ namespace {
 constexpr double column = 86.3; ///< width of one of two columns, mm
 constexpr double second = Paper::right - column;
 
-/// A table of variants has a page of its own.
+/// The mold's features have a page of their own, and so has the table of variants.
 int pageCount(const ReportData& data) {
-    return data.variants ? 3 : 2;
+    return 2 + (data.features ? 1 : 0) + (data.variants ? 1 : 0);
 }
 
 QString words(const std::string& text) {
@@ -122,11 +122,12 @@ double drawRegions(Paper& paper, const ReportData& data, double y) {
     return y + 4;
 }
 
-double drawDefaults(Paper& paper, const ReportData& data, double y) {
-    if (data.defaults.empty())
+double drawDefaults(Paper& paper, const QString& title, const std::vector<ReportDefault>& defaults,
+                    double y) {
+    if (defaults.empty())
         return y;
-    y += paper.text(Paper::left, y, 120, QStringLiteral("Defaults used"), {10, true}) + 1.2;
-    for (const ReportDefault& used : data.defaults) {
+    y += paper.text(Paper::left, y, 120, title, {10, true}) + 1.2;
+    for (const ReportDefault& used : defaults) {
         paper.text(Paper::left, y + 0.9, 55, words(used.name), {9, false, ink::secondary});
         paper.text(Paper::left + 52, y + 0.9, 30, words(used.value), {9});
         paper.text(second, y + 0.9, column, words(used.source), {9, false, ink::secondary});
@@ -182,10 +183,21 @@ void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem:
              {7.5, false, ink::secondary}) +
          5;
     y = drawRegions(paper, data, y);
-    y = drawDefaults(paper, data, y) + 5;
+    y = drawDefaults(paper, QStringLiteral("Defaults used"), data.defaults, y) + 5;
     drawOpenItems(paper, data, y);
     drawSignOff(paper, 258);
     drawFooter(paper, data, 2, pageCount(data));
+}
+
+void drawFeaturesPage(Paper& paper, const ReportData& data) {
+    drawHeader(paper, data, QStringLiteral("Features of the mold"));
+    double y = drawTable(paper, 28, *data.features) + 3;
+    y = drawDefaults(paper, QStringLiteral("Defaults used for them"), data.featureDefaults, y) + 5;
+    if (data.notes.empty())
+        return;
+    y += paper.text(Paper::left, y, 120, QStringLiteral("To be known"), {10, true}) + 1.2;
+    for (const std::string& note : data.notes)
+        y += paper.text(Paper::left, y + 0.9, 180, words(note), {9}) + 1.2;
 }
 
 } // namespace
@@ -208,11 +220,16 @@ Result<int> writeReportPdf(const ReportData& data, const std::filesystem::path& 
     drawFirstPage(paper, data, pictures);
     paper.newPage();
     drawSecondPage(paper, data, pictures);
+    if (data.features) {
+        paper.newPage();
+        drawFeaturesPage(paper, data);
+        drawFooter(paper, data, 3, pageCount(data));
+    }
     if (data.variants) {
         paper.newPage();
         drawHeader(paper, data, QStringLiteral("Variants"));
         drawTable(paper, 28, *data.variants);
-        drawFooter(paper, data, 3, pageCount(data));
+        drawFooter(paper, data, pageCount(data), pageCount(data));
     }
     std::error_code error;
     if (!paper.close())

@@ -4,6 +4,7 @@
 #include "mesh/measures.h"
 #include "mold/shrink.h"
 #include "report/figures.h"
+#include "report/mold_features.h"
 
 #include <algorithm>
 #include <cctype>
@@ -238,6 +239,9 @@ ReportData reportData(const ReportSubject& subject) {
         data.halves = halves(*subject.mold);
         data.checks = checks(*subject.mold);
         data.defaults = defaults(*subject.mold);
+        data.features = featureTable(*subject.mold);
+        data.featureDefaults = featureDefaults(subject.mold->settings);
+        data.notes = notesOf(*subject.mold);
         data.openItems = subject.mold->problems;
     } else {
         data.openItems.emplace_back(subject.cast ? "Build the mold."

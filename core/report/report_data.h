@@ -26,8 +26,9 @@ struct ReportTable {
     std::string title;
     std::vector<std::string> columns; ///< the first names the things
     std::vector<std::vector<std::string>> rows;
-    std::size_t strongRow = 0; ///< the thing that the report speaks of
+    std::size_t strongRow = 0; ///< the thing that the report speaks of; beyond the last row: none
     std::string note;
+    std::vector<double> widths; ///< of the columns, in any unit; empty: all alike
 };
 
 /// What a report is about. Without a cast or a mold it says what is still missing.
@@ -99,6 +100,9 @@ struct ReportData {
     std::vector<ReportCheck>
         regions; ///< important ones, whether each kept to its limit; those that did not first
     std::vector<ReportDefault> defaults;
+    std::optional<ReportTable> features; ///< of the mold, on a page of its own with the next two
+    std::vector<ReportDefault> featureDefaults;
+    std::vector<std::string> notes;
     std::vector<std::string> openItems;
     std::optional<ReportTable> variants; ///< on a page of its own
 };

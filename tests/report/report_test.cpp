@@ -3,6 +3,7 @@
 #include "report/report_data.h"
 #include "report/sha256.h"
 #include "support/casts.h"
+#include "support/molds.h"
 
 #include <gtest/gtest.h>
 
@@ -145,4 +146,38 @@ TEST(ReportData, ListsOnlyDefaultsThatWereUsed) {
     const std::size_t all = reportData(subject).defaults.size();
     subject.mold = std::make_shared<const Mold>(mold);
     EXPECT_EQ(reportData(subject).defaults.size(), all - 1);
+}
+
+TEST(ReportData, ListsFeaturesByNameWithTheirSizes) {
+    ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+    EXPECT_FALSE(reportData(subject).features) << "a cavity alone needs no page";
+    MoldSettings settings = everyFeature();
+    settings.keys.clearance = 0.3;
+    const KnownCast cast = frusta(20, 10, 5, 3, 0.1);
+    subject.mold = std::make_shared<const Mold>(moldOf(cast, settings).value());
+    const ReportData data = reportData(subject);
+    ASSERT_TRUE(data.features);
+    const auto& rows = data.features->rows;
+    const auto keys = std::ranges::find(rows, "Key", [](const auto& row) { return row.front(); });
+    ASSERT_NE(keys, rows.end());
+    EXPECT_EQ((*keys)[1], "4");
+    EXPECT_EQ((*keys)[2], "⌀ 6 to 7 mm, height 3.5 mm, clearance 0.3 mm, lean 5°");
+    const auto isListed = [&](const char* name) {
+        return std::ranges::find(data.featureDefaults, name, &ReportDefault::name) !=
+               data.featureDefaults.end();
+    };
+    EXPECT_TRUE(isListed("Keys, diameter"));
+    EXPECT_FALSE(isListed("Keys, clearance")) << "it was chosen";
+    EXPECT_FALSE(isListed("Bolt holes, diameter")) << "there are none";
+}
+
+TEST(ReportData, TellsWhatTheBuilderNoted) {
+    ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+    Mold mold = *subject.mold;
+    mold.notes = {"The ways are not equally long."};
+    mold.features.push_back({"key", "Key", {}, {}, "Its walls lean."});
+    mold.features.push_back({"key", "Key", {}, {}, "Its walls lean."});
+    subject.mold = std::make_shared<const Mold>(mold);
+    EXPECT_EQ(reportData(subject).notes,
+              (std::vector<std::string>{"The ways are not equally long.", "Key: Its walls lean."}));
 }
