@@ -4933,4 +4933,805 @@
         <translation>%1 ist offen, wie es war, und nicht gespeichert.</translation>
     </message>
 </context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>not run</source>
+        <translation>nicht gerechnet</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Variants of this part</source>
+        <translation>Varianten dieses Teils</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>Castable</source>
+        <translation>Gießbar</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>Kleinste Schräge</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Farthest, mm</source>
+        <translation>Größte Abw., mm</translation>
+    </message>
+    <message>
+        <source>RMS, mm</source>
+        <translation>RMS, mm</translation>
+    </message>
+    <message>
+        <source>Filled, cm³</source>
+        <translation>Gefüllt, cm³</translation>
+    </message>
+    <message>
+        <source>Block, mm</source>
+        <translation>Block, mm</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>This report is of variant {0}. Castable: proved in exact arithmetic. Strain is the root of the mean square over the surface of both principal stretches less 1. Farthest and RMS are distances between cast and part after the best rigid fit. The block is that of the mold with the variant&apos;s own settings.</source>
+        <translation>Dieser Bericht gilt der Variante {0}. Gießbar: bewiesen in exakter Arithmetik. Dehnung ist die Wurzel aus dem mittleren Quadrat beider Hauptstreckungen weniger 1 über die Oberfläche. Größte Abweichung und RMS sind Abstände zwischen Guss und Teil nach bester starrer Einpassung. Der Block ist der der Form mit den Einstellungen der Variante.</translation>
+    </message>
+    <message>
+        <source>{0} January {1}</source>
+        <translation>{0}. Januar {1}</translation>
+    </message>
+    <message>
+        <source>{0} February {1}</source>
+        <translation>{0}. Februar {1}</translation>
+    </message>
+    <message>
+        <source>{0} March {1}</source>
+        <translation>{0}. März {1}</translation>
+    </message>
+    <message>
+        <source>{0} April {1}</source>
+        <translation>{0}. April {1}</translation>
+    </message>
+    <message>
+        <source>{0} May {1}</source>
+        <translation>{0}. Mai {1}</translation>
+    </message>
+    <message>
+        <source>{0} June {1}</source>
+        <translation>{0}. Juni {1}</translation>
+    </message>
+    <message>
+        <source>{0} July {1}</source>
+        <translation>{0}. Juli {1}</translation>
+    </message>
+    <message>
+        <source>{0} August {1}</source>
+        <translation>{0}. August {1}</translation>
+    </message>
+    <message>
+        <source>{0} September {1}</source>
+        <translation>{0}. September {1}</translation>
+    </message>
+    <message>
+        <source>{0} October {1}</source>
+        <translation>{0}. Oktober {1}</translation>
+    </message>
+    <message>
+        <source>{0} November {1}</source>
+        <translation>{0}. November {1}</translation>
+    </message>
+    <message>
+        <source>{0} December {1}</source>
+        <translation>{0}. Dezember {1}</translation>
+    </message>
+    <message>
+        <source>own choice</source>
+        <translation>eigene Wahl</translation>
+    </message>
+    <message>
+        <source>open mold generators</source>
+        <translation>freie Formgeneratoren</translation>
+    </message>
+    <message>
+        <source>shop practice</source>
+        <translation>Werkstattpraxis</translation>
+    </message>
+    <message>
+        <source>Spout, diameter</source>
+        <translation>Anguss, Durchmesser</translation>
+    </message>
+    <message>
+        <source>Spout, at the block’s face</source>
+        <translation>Anguss, an der Blockfläche</translation>
+    </message>
+    <message>
+        <source>Gate, width</source>
+        <translation>Anschnitt, Breite</translation>
+    </message>
+    <message>
+        <source>Channels, draft</source>
+        <translation>Kanäle, Schräge</translation>
+    </message>
+    <message>
+        <source>Neck of the spout</source>
+        <translation>Hals des Angusses</translation>
+    </message>
+    <message>
+        <source>Vents, at the narrowest</source>
+        <translation>Entlüftungen, engste Stelle</translation>
+    </message>
+    <message>
+        <source>gravity pour, shop practice</source>
+        <translation>Schwerkraftguss, Werkstattpraxis</translation>
+    </message>
+    <message>
+        <source>Air that may stay</source>
+        <translation>Luft, die bleiben darf</translation>
+    </message>
+    <message>
+        <source>Keys, diameter</source>
+        <translation>Zapfen, Durchmesser</translation>
+    </message>
+    <message>
+        <source>Keys, height</source>
+        <translation>Zapfen, Höhe</translation>
+    </message>
+    <message>
+        <source>Keys, clearance</source>
+        <translation>Zapfen, Spiel</translation>
+    </message>
+    <message>
+        <source>Keys, draft at least</source>
+        <translation>Zapfen, Schräge mindestens</translation>
+    </message>
+    <message>
+        <source>First key larger by</source>
+        <translation>Erster Zapfen größer um</translation>
+    </message>
+    <message>
+        <source>Wedge slits, depth</source>
+        <translation>Keilschlitze, Tiefe</translation>
+    </message>
+    <message>
+        <source>mold makers</source>
+        <translation>Formenbauer</translation>
+    </message>
+    <message>
+        <source>Wedge slits, width</source>
+        <translation>Keilschlitze, Breite</translation>
+    </message>
+    <message>
+        <source>Wedge slits, height in each half</source>
+        <translation>Keilschlitze, Höhe je Hälfte</translation>
+    </message>
+    <message>
+        <source>Bolt holes, diameter</source>
+        <translation>Schraubenlöcher, Durchmesser</translation>
+    </message>
+    <message>
+        <source>M6, ISO 273 medium</source>
+        <translation>M6, ISO 273 mittel</translation>
+    </message>
+    <message>
+        <source>Bolt holes, steel to faces</source>
+        <translation>Schraubenlöcher, Stahl nach außen</translation>
+    </message>
+    <message>
+        <source>Bolt holes, steel to the rest</source>
+        <translation>Schraubenlöcher, Stahl zum Übrigen</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>open mold generators, 1.5 to 25 mm</source>
+        <translation>freie Formgeneratoren, 1,5 bis 25 mm</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>as the wall</source>
+        <translation>wie die Wand</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Decke</translation>
+    </message>
+    <message>
+        <source>Sizes round up to</source>
+        <translation>Maße aufgerundet auf</translation>
+    </message>
+    <message>
+        <source>Cavity pressure</source>
+        <translation>Druck in der Kavität</translation>
+    </message>
+    <message>
+        <source>no source: set it to your process</source>
+        <translation>ohne Quelle: nach Ihrem Prozess setzen</translation>
+    </message>
+    <message>
+        <source>Clamp allowance</source>
+        <translation>Zuschlag zur Schließkraft</translation>
+    </message>
+    <message>
+        <source>1.1 to 1.2 in shop practice</source>
+        <translation>1,1 bis 1,2 in der Werkstattpraxis</translation>
+    </message>
+    <message>
+        <source>Mix allowance</source>
+        <translation>Zuschlag zur Gießmasse</translation>
+    </message>
+    <message>
+        <source>Ejector holes, diameter</source>
+        <translation>Auswerferlöcher, Durchmesser</translation>
+    </message>
+    <message>
+        <source>length {0}</source>
+        <translation>Länge {0}</translation>
+    </message>
+    <message>
+        <source>width {0}</source>
+        <translation>Breite {0}</translation>
+    </message>
+    <message>
+        <source>depth {0}</source>
+        <translation>Tiefe {0}</translation>
+    </message>
+    <message>
+        <source>height {0}</source>
+        <translation>Höhe {0}</translation>
+    </message>
+    <message>
+        <source>{0} into half 1</source>
+        <translation>{0} in Hälfte 1</translation>
+    </message>
+    <message>
+        <source>{0} into half 2</source>
+        <translation>{0} in Hälfte 2</translation>
+    </message>
+    <message>
+        <source>clearance {0}</source>
+        <translation>Spiel {0}</translation>
+    </message>
+    <message>
+        <source>neck ⌀ {0}</source>
+        <translation>Hals ⌀ {0}</translation>
+    </message>
+    <message>
+        <source>lean {0}</source>
+        <translation>Neigung {0}</translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>Kavität</translation>
+    </message>
+    <message>
+        <source>Cavity, mirrored</source>
+        <translation>Kavität, gespiegelt</translation>
+    </message>
+    <message>
+        <source>Spout</source>
+        <translation>Anguss</translation>
+    </message>
+    <message>
+        <source>Spout through half 1</source>
+        <translation>Anguss durch Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Runner</source>
+        <translation>Verteiler</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>Anschnitt</translation>
+    </message>
+    <message>
+        <source>Vent</source>
+        <translation>Entlüftung</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Zapfen</translation>
+    </message>
+    <message>
+        <source>Wedge slit</source>
+        <translation>Keilschlitz</translation>
+    </message>
+    <message>
+        <source>Bolt hole</source>
+        <translation>Schraubenloch</translation>
+    </message>
+    <message>
+        <source>Ejector hole in half 1</source>
+        <translation>Auswerferloch in Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Ejector hole in half 2</source>
+        <translation>Auswerferloch in Hälfte 2</translation>
+    </message>
+    <message>
+        <source>Air that stays</source>
+        <translation>Luft, die bleibt</translation>
+    </message>
+    <message>
+        <source>cavity</source>
+        <translation>Kavität</translation>
+    </message>
+    <message>
+        <source>spout</source>
+        <translation>Anguss</translation>
+    </message>
+    <message>
+        <source>runner</source>
+        <translation>Verteiler</translation>
+    </message>
+    <message>
+        <source>gate</source>
+        <translation>Anschnitt</translation>
+    </message>
+    <message>
+        <source>vent</source>
+        <translation>Entlüftung</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Zapfen</translation>
+    </message>
+    <message>
+        <source>slit</source>
+        <translation>Keilschlitz</translation>
+    </message>
+    <message>
+        <source>bolt hole</source>
+        <translation>Schraubenloch</translation>
+    </message>
+    <message>
+        <source>ejector hole</source>
+        <translation>Auswerferloch</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>Cavities and features</source>
+        <translation>Kavitäten und Merkmale</translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation>Merkmal</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Each</source>
+        <translation>Je</translation>
+    </message>
+    <message>
+        <source>Not castable yet</source>
+        <translation>Noch nicht gießbar</translation>
+    </message>
+    <message>
+        <source>No cast has been made of this part. Required draft {0}.</source>
+        <translation>Aus diesem Teil wurde noch kein Guss gemacht. Verlangte Schräge {0}.</translation>
+    </message>
+    <message>
+        <source>No mold yet</source>
+        <translation>Noch keine Form</translation>
+    </message>
+    <message>
+        <source>The cast is there, its mold could not be built. Required draft {0}.</source>
+        <translation>Der Guss ist da, seine Form konnte nicht gebaut werden. Verlangte Schräge {0}.</translation>
+    </message>
+    <message>
+        <source>Castable. The mold opens.</source>
+        <translation>Gießbar. Die Form öffnet sich.</translation>
+    </message>
+    <message>
+        <source>Proved on the written halves for every face: draft {0} or more, where {1} is required.</source>
+        <translation>Bewiesen an den geschriebenen Hälften für jede Fläche: Schräge {0} oder mehr, wo {1} verlangt ist.</translation>
+    </message>
+    <message>
+        <source>The mold is not proved to open. Open items are on page 2.</source>
+        <translation>Dass die Form sich öffnet, ist nicht bewiesen. Offene Punkte stehen auf Seite 2.</translation>
+    </message>
+    <message>
+        <source>none, factor 1</source>
+        <translation>keine, Faktor 1</translation>
+    </message>
+    <message>
+        <source>{0} %, {1}: factor {2}</source>
+        <translation>{0} %, {1}: Faktor {2}</translation>
+    </message>
+    <message>
+        <source>x {0}, y {1}, z {2} %, {3}: factors {4}, {5}, {6}</source>
+        <translation>x {0}, y {1}, z {2} %, {3}: Faktoren {4}, {5}, {6}</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>Kleinster Stahl</translation>
+    </message>
+    <message>
+        <source>Smallest steel, {0} to {1}</source>
+        <translation>Kleinster Stahl, {0} bis {1}</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Read from</source>
+        <translation>Gelesen aus</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>millimetres, degrees</source>
+        <translation>Millimeter, Grad</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Schwindung</translation>
+    </message>
+    <message>
+        <source>no mold yet</source>
+        <translation>noch keine Form</translation>
+    </message>
+    <message>
+        <source>Parting plane and directions</source>
+        <translation>Trennebene und Richtungen</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>keine gewählt</translation>
+    </message>
+    <message>
+        <source>{0} to {1}</source>
+        <translation>{0} zu {1}</translation>
+    </message>
+    <message>
+        <source>Plane, n · x = o</source>
+        <translation>Ebene, n · x = o</translation>
+    </message>
+    <message>
+        <source>Direction 1</source>
+        <translation>Richtung 1</translation>
+    </message>
+    <message>
+        <source>Direction 2</source>
+        <translation>Richtung 2</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Volume of the part</source>
+        <translation>Volumen des Teils</translation>
+    </message>
+    <message>
+        <source>Cavity, as cut</source>
+        <translation>Kavität, wie geschnitten</translation>
+    </message>
+    <message>
+        <source>Mix, with 10 % allowance</source>
+        <translation>Gießmasse mit 10 % Zuschlag</translation>
+    </message>
+    <message>
+        <source>Projected area in the plane</source>
+        <translation>Projizierte Fläche in der Ebene</translation>
+    </message>
+    <message>
+        <source>Clamp force, {0} bar × 1.1</source>
+        <translation>Schließkraft, {0} bar × 1,1</translation>
+    </message>
+    <message>
+        <source>Mold, closed</source>
+        <translation>Form, geschlossen</translation>
+    </message>
+    <message>
+        <source>Kept from the part</source>
+        <translation>Vom Teil erhalten</translation>
+    </message>
+    <message>
+        <source>Mean deviation, after best fit</source>
+        <translation>Mittlere Abweichung, eingepasst</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Volume, cast over part</source>
+        <translation>Volumen, Guss zu Teil</translation>
+    </message>
+    <message>
+        <source>Filled in</source>
+        <translation>Gefüllt</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Opens along, mold’s frame</source>
+        <translation>Öffnet entlang (Form)</translation>
+    </message>
+    <message>
+        <source>Mold half 1</source>
+        <translation>Formhälfte 1</translation>
+    </message>
+    <message>
+        <source>Mold half 2</source>
+        <translation>Formhälfte 2</translation>
+    </message>
+    <message>
+        <source>The cast is closed, manifold and outward</source>
+        <translation>Der Guss ist geschlossen, mannigfaltig und nach außen gerichtet</translation>
+    </message>
+    <message>
+        <source>Each direction leaves the parting plane on its side</source>
+        <translation>Jede Richtung verlässt die Trennebene auf ihrer Seite</translation>
+    </message>
+    <message>
+        <source>Every face has a draft of {0} or more, in exact arithmetic</source>
+        <translation>Jede Fläche hat {0} Schräge oder mehr, in exakter Arithmetik</translation>
+    </message>
+    <message>
+        <source>No face lies across the parting plane</source>
+        <translation>Keine Fläche liegt über der Trennebene quer</translation>
+    </message>
+    <message>
+        <source>The parting line is simple and nested, seen along both directions</source>
+        <translation>Die Trennlinie ist einfach und verschachtelt, entlang beider Richtungen gesehen</translation>
+    </message>
+    <message>
+        <source>The cast does not cross itself</source>
+        <translation>Der Guss durchdringt sich nicht</translation>
+    </message>
+    <message>
+        <source>Both halves are closed, in one piece, and free to move at any distance</source>
+        <translation>Beide Hälften sind geschlossen, aus einem Stück und in jedem Abstand frei beweglich</translation>
+    </message>
+    <message>
+        <source>{0}: shape changed by {1}, no limit</source>
+        <translation>{0}: Form um {1} geändert, ohne Grenze</translation>
+    </message>
+    <message>
+        <source>{0}: shape changed by {1}, {2} allowed</source>
+        <translation>{0}: Form um {1} geändert, {2} erlaubt</translation>
+    </message>
+    <message>
+        <source>{0}: shape changed by {1}, more than the {2} allowed.</source>
+        <translation>{0}: Form um {1} geändert, mehr als die erlaubten {2}.</translation>
+    </message>
+    <message>
+        <source>Red below {0}: {1}</source>
+        <translation>Rot unter {0}: {1}</translation>
+    </message>
+    <message>
+        <source>As read</source>
+        <translation>Wie gelesen</translation>
+    </message>
+    <message>
+        <source>Mean deviation {0} mm</source>
+        <translation>Mittlere Abweichung {0} mm</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keiner</translation>
+    </message>
+    <message>
+        <source>Build the mold.</source>
+        <translation>Die Form bauen.</translation>
+    </message>
+    <message>
+        <source>Make the part castable, then build the mold.</source>
+        <translation>Das Teil gießbar machen, dann die Form bauen.</translation>
+    </message>
+    <message>
+        <source>Mold design report</source>
+        <translation>Bericht zur Form</translation>
+    </message>
+    <message>
+        <source>file %1</source>
+        <translation>Datei %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>below −15°</source>
+        <translation>unter −15°</translation>
+    </message>
+    <message>
+        <source>−15 to −5°</source>
+        <translation>−15 bis −5°</translation>
+    </message>
+    <message>
+        <source>−5 to 0°</source>
+        <translation>−5 bis 0°</translation>
+    </message>
+    <message>
+        <source>0 to %1°</source>
+        <translation>0 bis %1°</translation>
+    </message>
+    <message>
+        <source>%1 to 3°</source>
+        <translation>%1 bis 3°</translation>
+    </message>
+    <message>
+        <source>3 to 10°</source>
+        <translation>3 bis 10°</translation>
+    </message>
+    <message>
+        <source>10° and more</source>
+        <translation>10° und mehr</translation>
+    </message>
+    <message>
+        <source>Half %1</source>
+        <translation>Hälfte %1</translation>
+    </message>
+    <message>
+        <source>worst %1°, mean %2°</source>
+        <translation>kleinste %1°, Mittel %2°</translation>
+    </message>
+    <message>
+        <source>%1° required</source>
+        <translation>%1° verlangt</translation>
+    </message>
+    <message>
+        <source>Cast</source>
+        <translation>Guss</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Schräge</translation>
+    </message>
+    <message>
+        <source>Scale below, dark is bad</source>
+        <translation>Skala unten, dunkel ist schlecht</translation>
+    </message>
+    <message>
+        <source>Draft, area in cm² per 5°</source>
+        <translation>Schräge, Fläche in cm² je 5°</translation>
+    </message>
+    <message>
+        <source>Part and cast</source>
+        <translation>Teil und Guss</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Half 2 left, half 1 right, parting faces up</source>
+        <translation>Hälfte 2 links, Hälfte 1 rechts, Trennflächen oben</translation>
+    </message>
+    <message>
+        <source>Not a simulation of filling, warpage or cooling.
+Open items: %1.</source>
+        <translation>Keine Simulation von Füllung, Verzug oder Abkühlung.
+Offene Punkte: %1.</translation>
+    </message>
+    <message>
+        <source>%1, see page 2</source>
+        <translation>%1, siehe Seite 2</translation>
+    </message>
+    <message>
+        <source>Important regions, each after its own best fit</source>
+        <translation>Wichtige Bereiche, jeder für sich eingepasst</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Open items</source>
+        <translation>Offene Punkte</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Keine.</translation>
+    </message>
+    <message>
+        <source>Drawn by</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>Approved by</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Mold and proof</source>
+        <translation>Form und Beweis</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>Geöffnet</translation>
+    </message>
+    <message>
+        <source>Each half along its own direction, the cast between</source>
+        <translation>Jede Hälfte entlang ihrer Richtung, der Guss dazwischen</translation>
+    </message>
+    <message>
+        <source>Certificate, on the written halves</source>
+        <translation>Zertifikat, an den geschriebenen Hälften</translation>
+    </message>
+    <message>
+        <source>Proved in exact arithmetic on the coordinates as they stand in the files. The proof speaks of rigid motion along the two directions; it is not a simulation of filling, warpage, cooling or friction.</source>
+        <translation>Bewiesen in exakter Arithmetik an den Koordinaten, wie sie in den Dateien stehen. Der Beweis gilt der starren Bewegung entlang der beiden Richtungen; er ist keine Simulation von Füllung, Verzug, Abkühlung oder Reibung.</translation>
+    </message>
+    <message>
+        <source>Defaults used</source>
+        <translation>Verwendete Vorgaben</translation>
+    </message>
+    <message>
+        <source>Features of the mold</source>
+        <translation>Merkmale der Form</translation>
+    </message>
+    <message>
+        <source>Defaults used for them</source>
+        <translation>Dafür verwendete Vorgaben</translation>
+    </message>
+    <message>
+        <source>To be known</source>
+        <translation>Zu beachten</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>Varianten</translation>
+    </message>
+    <message>
+        <source>The report {0} could not be written. Choose another folder or free some space.</source>
+        <translation>Der Bericht {0} konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+</context>
 </TS>

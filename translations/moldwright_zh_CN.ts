@@ -4933,4 +4933,805 @@
         <translation>%1 已按原样打开，尚未保存。</translation>
     </message>
 </context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>not run</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Variants of this part</source>
+        <translation>此零件的变型</translation>
+    </message>
+    <message>
+        <source>Variant</source>
+        <translation>变型</translation>
+    </message>
+    <message>
+        <source>Castable</source>
+        <translation>可脱模</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>最小拔模角</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>应变</translation>
+    </message>
+    <message>
+        <source>Farthest, mm</source>
+        <translation>最大偏差，mm</translation>
+    </message>
+    <message>
+        <source>RMS, mm</source>
+        <translation>均方根，mm</translation>
+    </message>
+    <message>
+        <source>Filled, cm³</source>
+        <translation>填充，cm³</translation>
+    </message>
+    <message>
+        <source>Block, mm</source>
+        <translation>模块，mm</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步数</translation>
+    </message>
+    <message>
+        <source>This report is of variant {0}. Castable: proved in exact arithmetic. Strain is the root of the mean square over the surface of both principal stretches less 1. Farthest and RMS are distances between cast and part after the best rigid fit. The block is that of the mold with the variant&apos;s own settings.</source>
+        <translation>本报告针对变型 {0}。可脱模：以精确算术证明。应变为表面上两个主伸长率减 1 的均方根。最大偏差与均方根为最佳刚性配准后铸件与零件之间的距离。模块为按该变型自身设置生成的模具之模块。</translation>
+    </message>
+    <message>
+        <source>{0} January {1}</source>
+        <translation>{1}年1月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} February {1}</source>
+        <translation>{1}年2月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} March {1}</source>
+        <translation>{1}年3月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} April {1}</source>
+        <translation>{1}年4月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} May {1}</source>
+        <translation>{1}年5月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} June {1}</source>
+        <translation>{1}年6月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} July {1}</source>
+        <translation>{1}年7月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} August {1}</source>
+        <translation>{1}年8月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} September {1}</source>
+        <translation>{1}年9月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} October {1}</source>
+        <translation>{1}年10月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} November {1}</source>
+        <translation>{1}年11月{0}日</translation>
+    </message>
+    <message>
+        <source>{0} December {1}</source>
+        <translation>{1}年12月{0}日</translation>
+    </message>
+    <message>
+        <source>own choice</source>
+        <translation>自选</translation>
+    </message>
+    <message>
+        <source>open mold generators</source>
+        <translation>开源模具生成器</translation>
+    </message>
+    <message>
+        <source>shop practice</source>
+        <translation>车间惯例</translation>
+    </message>
+    <message>
+        <source>Spout, diameter</source>
+        <translation>浇口直径</translation>
+    </message>
+    <message>
+        <source>Spout, at the block’s face</source>
+        <translation>浇口在模块表面处</translation>
+    </message>
+    <message>
+        <source>Gate, width</source>
+        <translation>内浇口宽度</translation>
+    </message>
+    <message>
+        <source>Channels, draft</source>
+        <translation>流道拔模角</translation>
+    </message>
+    <message>
+        <source>Neck of the spout</source>
+        <translation>浇口颈部</translation>
+    </message>
+    <message>
+        <source>Vents, at the narrowest</source>
+        <translation>排气最窄处</translation>
+    </message>
+    <message>
+        <source>gravity pour, shop practice</source>
+        <translation>重力浇注，车间惯例</translation>
+    </message>
+    <message>
+        <source>Air that may stay</source>
+        <translation>允许残留的空气</translation>
+    </message>
+    <message>
+        <source>Keys, diameter</source>
+        <translation>定位销直径</translation>
+    </message>
+    <message>
+        <source>Keys, height</source>
+        <translation>定位销高度</translation>
+    </message>
+    <message>
+        <source>Keys, clearance</source>
+        <translation>定位销间隙</translation>
+    </message>
+    <message>
+        <source>Keys, draft at least</source>
+        <translation>定位销最小拔模角</translation>
+    </message>
+    <message>
+        <source>First key larger by</source>
+        <translation>第一个定位销加大</translation>
+    </message>
+    <message>
+        <source>Wedge slits, depth</source>
+        <translation>撬模槽深度</translation>
+    </message>
+    <message>
+        <source>mold makers</source>
+        <translation>模具制造商</translation>
+    </message>
+    <message>
+        <source>Wedge slits, width</source>
+        <translation>撬模槽宽度</translation>
+    </message>
+    <message>
+        <source>Wedge slits, height in each half</source>
+        <translation>撬模槽在每半模的高度</translation>
+    </message>
+    <message>
+        <source>Bolt holes, diameter</source>
+        <translation>螺栓孔直径</translation>
+    </message>
+    <message>
+        <source>M6, ISO 273 medium</source>
+        <translation>M6，ISO 273 中等</translation>
+    </message>
+    <message>
+        <source>Bolt holes, steel to faces</source>
+        <translation>螺栓孔到外表面的钢材</translation>
+    </message>
+    <message>
+        <source>Bolt holes, steel to the rest</source>
+        <translation>螺栓孔到其他特征的钢材</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>侧壁</translation>
+    </message>
+    <message>
+        <source>open mold generators, 1.5 to 25 mm</source>
+        <translation>开源模具生成器，1.5 至 25 mm</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>底厚</translation>
+    </message>
+    <message>
+        <source>as the wall</source>
+        <translation>同侧壁</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>顶厚</translation>
+    </message>
+    <message>
+        <source>Sizes round up to</source>
+        <translation>尺寸取整至</translation>
+    </message>
+    <message>
+        <source>Cavity pressure</source>
+        <translation>型腔压力</translation>
+    </message>
+    <message>
+        <source>no source: set it to your process</source>
+        <translation>无来源：请按工艺设定</translation>
+    </message>
+    <message>
+        <source>Clamp allowance</source>
+        <translation>锁模余量</translation>
+    </message>
+    <message>
+        <source>1.1 to 1.2 in shop practice</source>
+        <translation>车间惯例 1.1 至 1.2</translation>
+    </message>
+    <message>
+        <source>Mix allowance</source>
+        <translation>配料余量</translation>
+    </message>
+    <message>
+        <source>Ejector holes, diameter</source>
+        <translation>顶针孔直径</translation>
+    </message>
+    <message>
+        <source>length {0}</source>
+        <translation>长 {0}</translation>
+    </message>
+    <message>
+        <source>width {0}</source>
+        <translation>宽 {0}</translation>
+    </message>
+    <message>
+        <source>depth {0}</source>
+        <translation>深 {0}</translation>
+    </message>
+    <message>
+        <source>height {0}</source>
+        <translation>高 {0}</translation>
+    </message>
+    <message>
+        <source>{0} into half 1</source>
+        <translation>半模 1 内 {0}</translation>
+    </message>
+    <message>
+        <source>{0} into half 2</source>
+        <translation>半模 2 内 {0}</translation>
+    </message>
+    <message>
+        <source>clearance {0}</source>
+        <translation>间隙 {0}</translation>
+    </message>
+    <message>
+        <source>neck ⌀ {0}</source>
+        <translation>颈部 ⌀ {0}</translation>
+    </message>
+    <message>
+        <source>lean {0}</source>
+        <translation>倾角 {0}</translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation>型腔</translation>
+    </message>
+    <message>
+        <source>Cavity, mirrored</source>
+        <translation>型腔（镜像）</translation>
+    </message>
+    <message>
+        <source>Spout</source>
+        <translation>浇口</translation>
+    </message>
+    <message>
+        <source>Spout through half 1</source>
+        <translation>穿过半模 1 的浇口</translation>
+    </message>
+    <message>
+        <source>Runner</source>
+        <translation>流道</translation>
+    </message>
+    <message>
+        <source>Gate</source>
+        <translation>内浇口</translation>
+    </message>
+    <message>
+        <source>Vent</source>
+        <translation>排气</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>定位销</translation>
+    </message>
+    <message>
+        <source>Wedge slit</source>
+        <translation>撬模槽</translation>
+    </message>
+    <message>
+        <source>Bolt hole</source>
+        <translation>螺栓孔</translation>
+    </message>
+    <message>
+        <source>Ejector hole in half 1</source>
+        <translation>半模 1 中的顶针孔</translation>
+    </message>
+    <message>
+        <source>Ejector hole in half 2</source>
+        <translation>半模 2 中的顶针孔</translation>
+    </message>
+    <message>
+        <source>Air that stays</source>
+        <translation>残留空气</translation>
+    </message>
+    <message>
+        <source>cavity</source>
+        <translation>型腔</translation>
+    </message>
+    <message>
+        <source>spout</source>
+        <translation>浇口</translation>
+    </message>
+    <message>
+        <source>runner</source>
+        <translation>流道</translation>
+    </message>
+    <message>
+        <source>gate</source>
+        <translation>内浇口</translation>
+    </message>
+    <message>
+        <source>vent</source>
+        <translation>排气</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>定位销</translation>
+    </message>
+    <message>
+        <source>slit</source>
+        <translation>撬模槽</translation>
+    </message>
+    <message>
+        <source>bolt hole</source>
+        <translation>螺栓孔</translation>
+    </message>
+    <message>
+        <source>ejector hole</source>
+        <translation>顶针孔</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>外部</translation>
+    </message>
+    <message>
+        <source>Cavities and features</source>
+        <translation>型腔与特征</translation>
+    </message>
+    <message>
+        <source>Feature</source>
+        <translation>特征</translation>
+    </message>
+    <message>
+        <source>How many</source>
+        <translation>数量</translation>
+    </message>
+    <message>
+        <source>Each</source>
+        <translation>每个</translation>
+    </message>
+    <message>
+        <source>Not castable yet</source>
+        <translation>尚不可脱模</translation>
+    </message>
+    <message>
+        <source>No cast has been made of this part. Required draft {0}.</source>
+        <translation>尚未由此零件得到铸件。要求的拔模角 {0}。</translation>
+    </message>
+    <message>
+        <source>No mold yet</source>
+        <translation>尚无模具</translation>
+    </message>
+    <message>
+        <source>The cast is there, its mold could not be built. Required draft {0}.</source>
+        <translation>铸件已有，但无法生成其模具。要求的拔模角 {0}。</translation>
+    </message>
+    <message>
+        <source>Castable. The mold opens.</source>
+        <translation>可脱模。模具可以打开。</translation>
+    </message>
+    <message>
+        <source>Proved on the written halves for every face: draft {0} or more, where {1} is required.</source>
+        <translation>已在写出的两半模上逐面证明：拔模角不小于 {0}，要求为 {1}。</translation>
+    </message>
+    <message>
+        <source>The mold is not proved to open. Open items are on page 2.</source>
+        <translation>尚未证明模具可以打开。未决事项见第 2 页。</translation>
+    </message>
+    <message>
+        <source>none, factor 1</source>
+        <translation>无，系数 1</translation>
+    </message>
+    <message>
+        <source>{0} %, {1}: factor {2}</source>
+        <translation>{0} %，{1}：系数 {2}</translation>
+    </message>
+    <message>
+        <source>x {0}, y {1}, z {2} %, {3}: factors {4}, {5}, {6}</source>
+        <translation>x {0}，y {1}，z {2} %，{3}：系数 {4}，{5}，{6}</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>最薄钢材</translation>
+    </message>
+    <message>
+        <source>Smallest steel, {0} to {1}</source>
+        <translation>最薄钢材，{0}到{1}</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>零件</translation>
+    </message>
+    <message>
+        <source>Read from</source>
+        <translation>读取自</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>millimetres, degrees</source>
+        <translation>毫米，度</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>收缩率</translation>
+    </message>
+    <message>
+        <source>no mold yet</source>
+        <translation>尚无模具</translation>
+    </message>
+    <message>
+        <source>Parting plane and directions</source>
+        <translation>分型面与方向</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>none chosen</source>
+        <translation>未选择</translation>
+    </message>
+    <message>
+        <source>{0} to {1}</source>
+        <translation>{0}，相对 {1}</translation>
+    </message>
+    <message>
+        <source>Plane, n · x = o</source>
+        <translation>平面，n · x = o</translation>
+    </message>
+    <message>
+        <source>Direction 1</source>
+        <translation>方向 1</translation>
+    </message>
+    <message>
+        <source>Direction 2</source>
+        <translation>方向 2</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Volume of the part</source>
+        <translation>零件体积</translation>
+    </message>
+    <message>
+        <source>Cavity, as cut</source>
+        <translation>型腔（按切削）</translation>
+    </message>
+    <message>
+        <source>Mix, with 10 % allowance</source>
+        <translation>配料，含 10 % 余量</translation>
+    </message>
+    <message>
+        <source>Projected area in the plane</source>
+        <translation>分型面上的投影面积</translation>
+    </message>
+    <message>
+        <source>Clamp force, {0} bar × 1.1</source>
+        <translation>锁模力，{0} bar × 1.1</translation>
+    </message>
+    <message>
+        <source>Mold, closed</source>
+        <translation>模具（闭合）</translation>
+    </message>
+    <message>
+        <source>Kept from the part</source>
+        <translation>零件的保留程度</translation>
+    </message>
+    <message>
+        <source>Mean deviation, after best fit</source>
+        <translation>最佳配准后平均偏差</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>最大偏差</translation>
+    </message>
+    <message>
+        <source>Volume, cast over part</source>
+        <translation>体积，铸件比零件</translation>
+    </message>
+    <message>
+        <source>Filled in</source>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Opens along, mold’s frame</source>
+        <translation>开模方向（模具坐标）</translation>
+    </message>
+    <message>
+        <source>Mold half 1</source>
+        <translation>半模 1</translation>
+    </message>
+    <message>
+        <source>Mold half 2</source>
+        <translation>半模 2</translation>
+    </message>
+    <message>
+        <source>The cast is closed, manifold and outward</source>
+        <translation>铸件封闭、流形且朝外</translation>
+    </message>
+    <message>
+        <source>Each direction leaves the parting plane on its side</source>
+        <translation>每个方向都从分型面自己的一侧离开</translation>
+    </message>
+    <message>
+        <source>Every face has a draft of {0} or more, in exact arithmetic</source>
+        <translation>每个面的拔模角不小于 {0}，以精确算术证明</translation>
+    </message>
+    <message>
+        <source>No face lies across the parting plane</source>
+        <translation>没有面跨越分型面</translation>
+    </message>
+    <message>
+        <source>The parting line is simple and nested, seen along both directions</source>
+        <translation>沿两个方向看，分型线简单且相互嵌套</translation>
+    </message>
+    <message>
+        <source>The cast does not cross itself</source>
+        <translation>铸件不自相交</translation>
+    </message>
+    <message>
+        <source>Both halves are closed, in one piece, and free to move at any distance</source>
+        <translation>两半模封闭、各为一体，在任意距离上都能自由移动</translation>
+    </message>
+    <message>
+        <source>{0}: shape changed by {1}, no limit</source>
+        <translation>{0}：形状改变 {1}，无限制</translation>
+    </message>
+    <message>
+        <source>{0}: shape changed by {1}, {2} allowed</source>
+        <translation>{0}：形状改变 {1}，允许 {2}</translation>
+    </message>
+    <message>
+        <source>{0}: shape changed by {1}, more than the {2} allowed.</source>
+        <translation>{0}：形状改变 {1}，超过允许的 {2}。</translation>
+    </message>
+    <message>
+        <source>Red below {0}: {1}</source>
+        <translation>低于 {0} 为红色：{1}</translation>
+    </message>
+    <message>
+        <source>As read</source>
+        <translation>读入时</translation>
+    </message>
+    <message>
+        <source>Mean deviation {0} mm</source>
+        <translation>平均偏差 {0} mm</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>尚无</translation>
+    </message>
+    <message>
+        <source>Build the mold.</source>
+        <translation>请生成模具。</translation>
+    </message>
+    <message>
+        <source>Make the part castable, then build the mold.</source>
+        <translation>请先使零件可脱模，再生成模具。</translation>
+    </message>
+    <message>
+        <source>Mold design report</source>
+        <translation>模具设计报告</translation>
+    </message>
+    <message>
+        <source>file %1</source>
+        <translation>文件 %1</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>无图片</translation>
+    </message>
+    <message>
+        <source>below −15°</source>
+        <translation>低于 −15°</translation>
+    </message>
+    <message>
+        <source>−15 to −5°</source>
+        <translation>−15 至 −5°</translation>
+    </message>
+    <message>
+        <source>−5 to 0°</source>
+        <translation>−5 至 0°</translation>
+    </message>
+    <message>
+        <source>0 to %1°</source>
+        <translation>0 至 %1°</translation>
+    </message>
+    <message>
+        <source>%1 to 3°</source>
+        <translation>%1 至 3°</translation>
+    </message>
+    <message>
+        <source>3 to 10°</source>
+        <translation>3 至 10°</translation>
+    </message>
+    <message>
+        <source>10° and more</source>
+        <translation>10° 及以上</translation>
+    </message>
+    <message>
+        <source>Half %1</source>
+        <translation>半模 %1</translation>
+    </message>
+    <message>
+        <source>worst %1°, mean %2°</source>
+        <translation>最小 %1°，平均 %2°</translation>
+    </message>
+    <message>
+        <source>%1° required</source>
+        <translation>要求 %1°</translation>
+    </message>
+    <message>
+        <source>Cast</source>
+        <translation>铸件</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>拔模角</translation>
+    </message>
+    <message>
+        <source>Scale below, dark is bad</source>
+        <translation>色标见下，越深越差</translation>
+    </message>
+    <message>
+        <source>Draft, area in cm² per 5°</source>
+        <translation>拔模角，每 5° 的面积（cm²）</translation>
+    </message>
+    <message>
+        <source>Part and cast</source>
+        <translation>零件与铸件</translation>
+    </message>
+    <message>
+        <source>Mold</source>
+        <translation>模具</translation>
+    </message>
+    <message>
+        <source>Half 2 left, half 1 right, parting faces up</source>
+        <translation>左为半模 2，右为半模 1，分型面朝上</translation>
+    </message>
+    <message>
+        <source>Not a simulation of filling, warpage or cooling.
+Open items: %1.</source>
+        <translation>不是充填、翘曲或冷却的模拟。
+未决事项：%1。</translation>
+    </message>
+    <message>
+        <source>%1, see page 2</source>
+        <translation>%1，见第 2 页</translation>
+    </message>
+    <message>
+        <source>Important regions, each after its own best fit</source>
+        <translation>重要区域，各自最佳配准后</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>另有 %1 项</translation>
+    </message>
+    <message>
+        <source>Open items</source>
+        <translation>未决事项</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>无。</translation>
+    </message>
+    <message>
+        <source>Drawn by</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>校对</translation>
+    </message>
+    <message>
+        <source>Approved by</source>
+        <translation>批准</translation>
+    </message>
+    <message>
+        <source>Mold and proof</source>
+        <translation>模具与证明</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Each half along its own direction, the cast between</source>
+        <translation>每半模沿各自方向，铸件居中</translation>
+    </message>
+    <message>
+        <source>Certificate, on the written halves</source>
+        <translation>证书，针对写出的两半模</translation>
+    </message>
+    <message>
+        <source>Proved in exact arithmetic on the coordinates as they stand in the files. The proof speaks of rigid motion along the two directions; it is not a simulation of filling, warpage, cooling or friction.</source>
+        <translation>按文件中的坐标以精确算术证明。证明针对沿两个方向的刚性运动；不是充填、翘曲、冷却或摩擦的模拟。</translation>
+    </message>
+    <message>
+        <source>Defaults used</source>
+        <translation>使用的默认值</translation>
+    </message>
+    <message>
+        <source>Features of the mold</source>
+        <translation>模具的特征</translation>
+    </message>
+    <message>
+        <source>Defaults used for them</source>
+        <translation>为其使用的默认值</translation>
+    </message>
+    <message>
+        <source>To be known</source>
+        <translation>须知</translation>
+    </message>
+    <message>
+        <source>Variants</source>
+        <translation>变型</translation>
+    </message>
+    <message>
+        <source>The report {0} could not be written. Choose another folder or free some space.</source>
+        <translation>无法写出报告 {0}。请选择其他文件夹或腾出空间。</translation>
+    </message>
+</context>
 </TS>

@@ -171,7 +171,7 @@ Result<void> writeMoldOf(const DesignOptions& options, const DesignRequest& requ
 
 Result<void> writeReportOf(const std::filesystem::path& folder, const Session& session) {
     const Result<RenderedReport> report =
-        renderReport(folder / "project.moldwright", {}, folder / "report.pdf", session.task());
+        renderReport({folder / "project.moldwright", folder / "report.pdf"}, session.task());
     if (!report)
         return std::unexpected(report.error());
     if (!report->missingPictures.empty())

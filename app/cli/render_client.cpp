@@ -110,13 +110,15 @@ Result<RenderedReport> answerIn(const ExchangeFolder& folder, int status) {
 
 } // namespace
 
-Result<RenderedReport> renderReport(const fs::path& project, const std::string& variant, const fs::path& pdf,
-                                    const Task& task) {
+Result<RenderedReport> renderReport(const ReportOrder& order, const Task& task) {
     const ExchangeFolder folder;
     if (!folder.made())
         return failure(ErrorCode::WriteFailed, MW_TEXT("cli", "No temporary folder could be made."));
-    std::ofstream(folder.file("order.json")) << Json{
-        {"task", "report"}, {"project", project.string()}, {"out", pdf.string()}, {"variant", variant}};
+    std::ofstream(folder.file("order.json")) << Json{{"task", "report"},
+                                                     {"project", order.project.string()},
+                                                     {"out", order.pdf.string()},
+                                                     {"variant", order.variant},
+                                                     {"language", order.language}};
     const pid_t pid = start(folder);
     if (pid == 0)
         return failure(ErrorCode::Worker,

@@ -15,12 +15,17 @@ struct RenderedReport {
     std::string missingPictures; ///< why pictures are missing; empty when none is
 };
 
-/// Has moldwright-render (environment MOLDWRIGHT_RENDER, else beside this program) write the report of a
-/// project file as PDF, of the variant of this name or, where it is empty, of the current one. It is a
-/// program of its own: this one needs no graphics, and a fault there is a value here. Errors: Worker,
+/// What a report is to be of, and in which language.
+struct ReportOrder {
+    std::filesystem::path project;
+    std::filesystem::path pdf;
+    std::string variant{};  ///< empty: the current one
+    std::string language{}; ///< as "de"; empty: English
+};
+
+/// Has moldwright-render (environment MOLDWRIGHT_RENDER, else beside this program) write a report as PDF. It
+/// is a program of its own: this one needs no graphics, and a fault there is a value here. Errors: Worker,
 /// Cancelled, BadInput, WriteFailed.
-[[nodiscard]] Result<RenderedReport> renderReport(const std::filesystem::path& project,
-                                                  const std::string& variant,
-                                                  const std::filesystem::path& pdf, const Task& task);
+[[nodiscard]] Result<RenderedReport> renderReport(const ReportOrder& order, const Task& task);
 
 } // namespace moldwright::cli

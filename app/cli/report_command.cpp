@@ -16,12 +16,13 @@ struct ReportOptions {
     std::string input;
     std::string output;
     std::string variant;
+    std::string language;
 };
 
 Result<ExitCode> report(const ReportOptions& options, const Session& session) {
     session.task().progress(0, "Writing the report");
     const Result<RenderedReport> rendered =
-        renderReport(options.input, options.variant, options.output, session.task());
+        renderReport({options.input, options.output, options.variant, options.language}, session.task());
     if (!rendered)
         return std::unexpected(rendered.error());
     session.task().progress(1, "Writing the report");
@@ -38,8 +39,8 @@ Result<ExitCode> report(const ReportOptions& options, const Session& session) {
 
 constexpr const char* manual =
     "Two A4 pages: part, cast and draft map, plane and directions, draft by area, volumes, the\n"
-    "mold, and the certificate; with several variants a third with their figures side by side. Needs\n"
-    "no display; moldwright-render draws it.\n"
+    "mold, and the certificate; one more for the mold's features, and with several variants one with\n"
+    "their figures side by side. Needs no display; moldwright-render draws it.\n"
     "\n"
     "JSON: pages, file, missing_pictures (why, or empty).\n"
     "\n"
@@ -55,6 +56,8 @@ Command reportCommand() {
             app.add_option("IN", options->input, "Project file (.moldwright)")->type_name("FILE")->required();
             app.add_option("--out", options->output, "The PDF to write")->type_name("FILE")->required();
             addVariantOption(app, options->variant);
+            app.add_option("--language", options->language, "en, de or zh_CN; the default is English")
+                ->check(CLI::IsMember({"en", "de", "zh_CN"}));
             return Action([options](const Session& session) { return report(*options, session); });
         }};
 }

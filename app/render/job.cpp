@@ -73,6 +73,7 @@ Result<Job> readJob(const std::string& json) {
             job.look = lookIn(parsed);
         job.out = parsed.at("out").get<std::string>();
         job.variant = parsed.value("variant", "");
+        job.language = parsed.value("language", "");
         job.width = std::clamp(parsed.value("width", job.width), 16, largestPicture);
         job.height = std::clamp(parsed.value("height", job.height), 16, largestPicture);
         job.look.width = job.width;
@@ -88,6 +89,7 @@ std::string jobText(const Job& job) {
                           {"project", job.source.string()},
                           {"out", job.out.string()},
                           {"variant", job.variant},
+                          {"language", job.language},
                           {"width", job.width},
                           {"height", job.height}}
         .dump();

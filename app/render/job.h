@@ -27,10 +27,10 @@ struct SurfaceLook {
 };
 
 /// One order to the program, as JSON: {"task": "report" | "pictures" | "thumbnail", "project": FILE,
-/// "out": FILE or folder, "variant": NAME, "width": 320, "height": 240}; or {"task": "surface", "mesh": FILE,
-/// "out": FILE} and what of these is wanted: "plane": [nx, ny, nz, offset] with "d1", "d2": [x, y, z] and
-/// "draft": degrees; "from": [x, y, z], "see_through": true, "pins" and "suggested": [[x, y, z], …], "width",
-/// "height".
+/// "out": FILE or folder, "variant": NAME, "language": "de", "width": 320, "height": 240}; or {"task":
+/// "surface", "mesh": FILE, "out": FILE} and what of these is wanted: "plane": [nx, ny, nz, offset] with
+/// "d1", "d2": [x, y, z] and "draft": degrees; "from": [x, y, z], "see_through": true, "pins" and
+/// "suggested": [[x, y, z], …], "width", "height".
 struct Job {
     enum class Task { Report, Pictures, Thumbnail, Surface };
     Task task = Task::Report;
@@ -38,8 +38,9 @@ struct Job {
     std::filesystem::path out;
     int width = 320; ///< of a thumbnail, pixels
     int height = 240;
-    SurfaceLook look{};    ///< of a surface
-    std::string variant{}; ///< of the project; empty: its current one
+    SurfaceLook look{};     ///< of a surface
+    std::string variant{};  ///< of the project; empty: its current one
+    std::string language{}; ///< of a report, as "de"; empty: English
 };
 
 /// The project of a job, the wanted variant as the current one. Errors: as openProject(); Usage.

@@ -2,6 +2,7 @@
 #include "render/program.h"
 
 #include "exchange/mesh_file.h"
+#include "language/spoken_language.h"
 #include "project/pipeline.h"
 #include "render/pictures.h"
 #include "render/report_job.h"
@@ -28,6 +29,8 @@ std::string orderFrom(int argc, char** argv) {
 Result<void> report(const Job& job, int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QGuiApplication application(argc, argv);
+    const SpokenLanguage language(job.language.empty() ? QLocale::c()
+                                                       : QLocale(QString::fromStdString(job.language)));
     const Result<ReportAnswer> answer = writeReport(job);
     if (!answer)
         return std::unexpected(answer.error());

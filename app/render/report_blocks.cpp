@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "render/report_blocks.h"
 
+#include "render/report_text.h"
 #include "report/figures.h"
 #include "scene/colours.h"
 
@@ -50,7 +51,7 @@ double roundStep(double range) {
 void drawHeader(Paper& paper, const ReportData& data, const QString& what) {
     drawSign(paper, Paper::left, 13.4);
     paper.text(Paper::left + 9.2, 11.6, 90, QStringLiteral("Moldwright"), {10, true});
-    paper.text(Paper::left + 9.2, 16.6, 90, QStringLiteral("Mold design report"),
+    paper.text(Paper::left + 9.2, 16.6, 90, ReportText::tr("Mold design report"),
                {7.5, false, ink::secondary});
     paper.text(105, 11.6, 90, words(data.partName), {9, true}, Qt::AlignRight);
     paper.text(105, 16.6, 90, what, caption, Qt::AlignRight);
@@ -63,10 +64,11 @@ void drawFooter(Paper& paper, const ReportData& data, int page, int pages) {
     const std::string& hash = data.fileHash;
     QString left = words(data.partName) + QStringLiteral("   ·   ") + words(data.date);
     if (hash.size() >= 12)
-        left += QStringLiteral("   ·   file ") +
-                words(hash.substr(0, 4) + " " + hash.substr(4, 4) + " … " + hash.substr(hash.size() - 4));
+        left += QStringLiteral("   ·   ") +
+                ReportText::tr("file %1").arg(words(hash.substr(0, 4) + " " + hash.substr(4, 4) + " … " +
+                                                    hash.substr(hash.size() - 4)));
     paper.text(Paper::left, y, 130, left, caption);
-    paper.text(145, y, 50, QStringLiteral("Page %1 of %2").arg(page).arg(pages), caption, Qt::AlignRight);
+    paper.text(145, y, 50, ReportText::tr("Page %1 of %2").arg(page).arg(pages), caption, Qt::AlignRight);
 }
 
 double drawSection(Paper& paper, double x, double y, double w, const ReportSection& section) {
@@ -107,7 +109,7 @@ double drawTable(Paper& paper, double y, const ReportTable& table) {
 double drawPicture(Paper& paper, const QRectF& area, const QImage& image, const QString& name,
                    const QString& about) {
     if (image.isNull())
-        paper.text(area.x(), area.center().y(), area.width(), QStringLiteral("No picture"), caption,
+        paper.text(area.x(), area.center().y(), area.width(), ReportText::tr("No picture"), caption,
                    Qt::AlignHCenter);
     else
         paper.picture(area, image);
@@ -122,13 +124,13 @@ double drawPicture(Paper& paper, const QRectF& area, const QImage& image, const 
 
 double drawDraftScale(Paper& paper, double y, double requiredDraft) {
     const QString required = words(readable(requiredDraft));
-    const std::array<QString, 7> names = {QStringLiteral("below −15°"),
-                                          QStringLiteral("−15 to −5°"),
-                                          QStringLiteral("−5 to 0°"),
-                                          QStringLiteral("0 to %1°").arg(required),
-                                          QStringLiteral("%1 to 3°").arg(required),
-                                          QStringLiteral("3 to 10°"),
-                                          QStringLiteral("10° and more")};
+    const std::array<QString, 7> names = {ReportText::tr("below −15°"),
+                                          ReportText::tr("−15 to −5°"),
+                                          ReportText::tr("−5 to 0°"),
+                                          ReportText::tr("0 to %1°").arg(required),
+                                          ReportText::tr("%1 to 3°").arg(required),
+                                          ReportText::tr("3 to 10°"),
+                                          ReportText::tr("10° and more")};
     const double w = (Paper::right - Paper::left) / 7;
     for (std::size_t k = 0; k < names.size(); ++k) {
         const double x = Paper::left + static_cast<double>(k) * w;
@@ -141,9 +143,9 @@ double drawDraftScale(Paper& paper, double y, double requiredDraft) {
 double drawBars(Paper& paper, double x, double y, double w, const DraftBars& bars, int side, double highest,
                 double requiredDraft) {
     const QColor colour = side == 1 ? ink::side1 : ink::side2;
-    paper.text(x + 1.5, y, w, QStringLiteral("Half %1").arg(side), {9, true});
+    paper.text(x + 1.5, y, w, ReportText::tr("Half %1").arg(side), {9, true});
     paper.text(x, y + 0.4, w - 1.5,
-               QStringLiteral("worst %1°, mean %2°")
+               ReportText::tr("worst %1°, mean %2°")
                    .arg(words(figureRoundedDown(bars.worst, 2)), words(figure(bars.mean, 1))),
                caption, Qt::AlignRight);
     const double top = y + 6;
@@ -164,7 +166,7 @@ double drawBars(Paper& paper, double x, double y, double w, const DraftBars& bar
     const double goal = x + 1.5 + (w - 3) * requiredDraft / 90;
     paper.dashedLine(goal, top - 1, goal, foot, 0.7, ink::red);
     // Beside the title: bars may be as tall as the frame.
-    paper.text(x + 16, y + 0.4, 30, QStringLiteral("%1° required").arg(words(readable(requiredDraft))),
+    paper.text(x + 16, y + 0.4, 30, ReportText::tr("%1° required").arg(words(readable(requiredDraft))),
                {7.5, false, ink::red});
     for (int angle = 0; angle <= 90; angle += 15)
         paper.text(x + 1.5 + (w - 3) * angle / 90 - 6, foot + 0.8, 12, QStringLiteral("%1°").arg(angle),

@@ -3,6 +3,7 @@
 
 #include "project/project_report.h"
 #include "render/report_pdf.h"
+#include "render/report_text.h"
 #include "report/sha256.h"
 
 #include <QCoreApplication>
@@ -51,7 +52,10 @@ Result<ReportAnswer> writeReport(const Job& job) {
     const Result<Evaluation> evaluation = evaluate(*project);
     if (!evaluation)
         return std::unexpected(evaluation.error());
-    const ReportData data = projectReport(*project, *evaluation, sha256(bytesOf(job.source)), reportDate());
+    const Phrases say(
+        [](const std::string& english) { return ReportText::tr(english.c_str()).toStdString(); });
+    const ReportData data =
+        projectReport(*project, *evaluation, sha256(bytesOf(job.source)), reportDate(say), say);
     const QTemporaryDir folder;
     ReportAnswer answer;
     answer.missingPictures = orderPictures(job, folder);

@@ -3,6 +3,7 @@
 
 #include "render/pictures.h"
 #include "render/report_blocks.h"
+#include "render/report_text.h"
 
 #include <algorithm>
 
@@ -53,12 +54,12 @@ double drawPictures(Paper& paper, const ReportData& data, const std::filesystem:
     constexpr double tall = 46;
     const double gap = (Paper::right - Paper::left - 3 * wide) / 2;
     const auto place = [&](int k) { return QRectF(Paper::left + k * (wide + gap), y, wide, tall); };
-    drawPicture(paper, place(0), imageIn(pictures, partPicture), QStringLiteral("Part"),
+    drawPicture(paper, place(0), imageIn(pictures, partPicture), ReportText::tr("Part"),
                 words(data.partCaption));
-    drawPicture(paper, place(1), imageIn(pictures, castPicture), QStringLiteral("Cast"),
+    drawPicture(paper, place(1), imageIn(pictures, castPicture), ReportText::tr("Cast"),
                 words(data.castCaption));
-    const double end = drawPicture(paper, place(2), imageIn(pictures, draftPicture), QStringLiteral("Draft"),
-                                   QStringLiteral("Scale below, dark is bad"));
+    const double end = drawPicture(paper, place(2), imageIn(pictures, draftPicture), ReportText::tr("Draft"),
+                                   ReportText::tr("Scale below, dark is bad"));
     return drawDraftScale(paper, end, data.requiredDraft);
 }
 
@@ -68,13 +69,13 @@ double drawHistograms(Paper& paper, const ReportData& data, double y) {
     double highest = 0;
     for (const DraftBars& bars : *data.bars)
         highest = std::max(highest, *std::max_element(bars.area.begin(), bars.area.end()));
-    y += paper.text(Paper::left, y, 100, QStringLiteral("Draft, area in cm² per 5°"), {10, true}) + 0.8;
+    y += paper.text(Paper::left, y, 100, ReportText::tr("Draft, area in cm² per 5°"), {10, true}) + 0.8;
     drawBars(paper, Paper::left, y, column, (*data.bars)[0], 1, highest, data.requiredDraft);
     return drawBars(paper, second, y, column, (*data.bars)[1], 2, highest, data.requiredDraft);
 }
 
 void drawFirstPage(Paper& paper, const ReportData& data, const std::filesystem::path& pictures) {
-    drawHeader(paper, data, QStringLiteral("Part and cast"));
+    drawHeader(paper, data, ReportText::tr("Part and cast"));
     double y = drawVerdict(paper, data, 26.5);
     y = drawTitleBlock(paper, data.titleBlock, y + 2.5);
     y = drawPictures(paper, data, pictures, y + 5);
@@ -84,13 +85,13 @@ void drawFirstPage(Paper& paper, const ReportData& data, const std::filesystem::
     constexpr double low = 268;
     if (data.bars)
         drawPicture(paper, {Paper::left, y + 1, column, low - y - 1}, imageIn(pictures, halvesPicture),
-                    QStringLiteral("Mold"), QStringLiteral("Half 2 left, half 1 right, parting faces up"));
+                    ReportText::tr("Mold"), ReportText::tr("Half 2 left, half 1 right, parting faces up"));
     if (!data.kept.rows.empty())
         y = drawSection(paper, second, y + 2, column, data.kept);
     paper.text(second, y + 2, column,
-               QStringLiteral("Not a simulation of filling, warpage or cooling.\nOpen items: %1.")
-                   .arg(data.openItems.empty() ? QStringLiteral("none")
-                                               : QStringLiteral("%1, see page 2").arg(data.openItems.size())),
+               ReportText::tr("Not a simulation of filling, warpage or cooling.\nOpen items: %1.")
+                   .arg(data.openItems.empty() ? ReportText::tr("none")
+                                               : ReportText::tr("%1, see page 2").arg(data.openItems.size())),
                {7.5, false, ink::secondary});
     drawFooter(paper, data, 1, pageCount(data));
 }
@@ -113,11 +114,11 @@ double drawRegions(Paper& paper, const ReportData& data, double y) {
         return y;
     const std::size_t shown = std::min(most, data.regions.size());
     const auto first = data.regions.begin();
-    y = drawChecks(paper, QStringLiteral("Important regions, each after its own best fit"),
+    y = drawChecks(paper, ReportText::tr("Important regions, each after its own best fit"),
                    {first, first + static_cast<std::ptrdiff_t>(shown)}, y);
     if (shown < data.regions.size())
         y += paper.text(Paper::left + 6, y + 0.9, 174,
-                        QStringLiteral("and %1 more").arg(data.regions.size() - shown),
+                        ReportText::tr("and %1 more").arg(data.regions.size() - shown),
                         {9, false, ink::secondary});
     return y + 4;
 }
@@ -128,8 +129,8 @@ double drawDefaults(Paper& paper, const QString& title, const std::vector<Report
         return y;
     y += paper.text(Paper::left, y, 120, title, {10, true}) + 1.2;
     for (const ReportDefault& used : defaults) {
-        paper.text(Paper::left, y + 0.9, 55, words(used.name), {9, false, ink::secondary});
-        paper.text(Paper::left + 52, y + 0.9, 30, words(used.value), {9});
+        paper.text(Paper::left, y + 0.9, 62, words(used.name), {9, false, ink::secondary});
+        paper.text(Paper::left + 64, y + 0.9, 28, words(used.value), {9});
         paper.text(second, y + 0.9, column, words(used.source), {9, false, ink::secondary});
         y += 6.2;
         paper.line(Paper::left, y, Paper::right, y, 0.5, ink::hairline);
@@ -138,9 +139,9 @@ double drawDefaults(Paper& paper, const QString& title, const std::vector<Report
 }
 
 double drawOpenItems(Paper& paper, const ReportData& data, double y) {
-    y += paper.text(Paper::left, y, 120, QStringLiteral("Open items"), {10, true}) + 1.2;
+    y += paper.text(Paper::left, y, 120, ReportText::tr("Open items"), {10, true}) + 1.2;
     if (data.openItems.empty())
-        y += paper.text(Paper::left, y + 0.9, 180, QStringLiteral("None."), {9});
+        y += paper.text(Paper::left, y + 0.9, 180, ReportText::tr("None."), {9});
     for (const std::string& item : data.openItems)
         y += paper.text(Paper::left, y + 0.9, 180, words(item), {9, false, ink::amber}) + 1.2;
     return y;
@@ -148,8 +149,8 @@ double drawOpenItems(Paper& paper, const ReportData& data, double y) {
 
 /// Framed fields to sign in, at the foot of the page.
 void drawSignOff(Paper& paper, double y) {
-    const std::array<QString, 4> fields = {QStringLiteral("Drawn by"), QStringLiteral("Checked by"),
-                                           QStringLiteral("Approved by"), QStringLiteral("Date")};
+    const std::array<QString, 4> fields = {ReportText::tr("Drawn by"), ReportText::tr("Checked by"),
+                                           ReportText::tr("Approved by"), ReportText::tr("Date")};
     constexpr double tall = 16;
     const double w = (Paper::right - Paper::left) / 4;
     for (std::size_t k = 0; k < fields.size(); ++k) {
@@ -163,39 +164,39 @@ void drawSignOff(Paper& paper, double y) {
 }
 
 void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem::path& pictures) {
-    drawHeader(paper, data, QStringLiteral("Mold and proof"));
+    drawHeader(paper, data, ReportText::tr("Mold and proof"));
     double y = 28;
     for (const ReportSection& half : data.halves)
         y = drawSection(paper, Paper::left, y, column, half) + 4;
     if (!data.halves.empty()) {
         const double end = drawPicture(paper, {second, 27, column, 62}, imageIn(pictures, openedPicture),
-                                       QStringLiteral("Opened"),
-                                       QStringLiteral("Each half along its own direction, the cast between"));
+                                       ReportText::tr("Opened"),
+                                       ReportText::tr("Each half along its own direction, the cast between"));
         y = std::max(y, end) + 3;
     }
     if (!data.checks.empty())
-        y = drawChecks(paper, QStringLiteral("Certificate, on the written halves"), data.checks, y) + 2;
+        y = drawChecks(paper, ReportText::tr("Certificate, on the written halves"), data.checks, y) + 2;
     y += paper.text(
              Paper::left, y, 180,
-             QStringLiteral("Proved in exact arithmetic on the coordinates as they stand in the files. The "
+             ReportText::tr("Proved in exact arithmetic on the coordinates as they stand in the files. The "
                             "proof speaks of rigid motion along the two directions; it is not a "
                             "simulation of filling, warpage, cooling or friction."),
              {7.5, false, ink::secondary}) +
          5;
     y = drawRegions(paper, data, y);
-    y = drawDefaults(paper, QStringLiteral("Defaults used"), data.defaults, y) + 5;
+    y = drawDefaults(paper, ReportText::tr("Defaults used"), data.defaults, y) + 5;
     drawOpenItems(paper, data, y);
     drawSignOff(paper, 258);
     drawFooter(paper, data, 2, pageCount(data));
 }
 
 void drawFeaturesPage(Paper& paper, const ReportData& data) {
-    drawHeader(paper, data, QStringLiteral("Features of the mold"));
+    drawHeader(paper, data, ReportText::tr("Features of the mold"));
     double y = drawTable(paper, 28, *data.features) + 3;
-    y = drawDefaults(paper, QStringLiteral("Defaults used for them"), data.featureDefaults, y) + 5;
+    y = drawDefaults(paper, ReportText::tr("Defaults used for them"), data.featureDefaults, y) + 5;
     if (data.notes.empty())
         return;
-    y += paper.text(Paper::left, y, 120, QStringLiteral("To be known"), {10, true}) + 1.2;
+    y += paper.text(Paper::left, y, 120, ReportText::tr("To be known"), {10, true}) + 1.2;
     for (const std::string& note : data.notes)
         y += paper.text(Paper::left, y + 0.9, 180, words(note), {9}) + 1.2;
 }
@@ -227,7 +228,7 @@ Result<int> writeReportPdf(const ReportData& data, const std::filesystem::path& 
     }
     if (data.variants) {
         paper.newPage();
-        drawHeader(paper, data, QStringLiteral("Variants"));
+        drawHeader(paper, data, ReportText::tr("Variants"));
         drawTable(paper, 28, *data.variants);
         drawFooter(paper, data, pageCount(data), pageCount(data));
     }

@@ -46,6 +46,10 @@ void setLanguage(const QString& language) {
     QSettings().setValue(u"language"_s, language);
 }
 
+QLocale locale() {
+    return language().isEmpty() ? QLocale::system() : QLocale(language());
+}
+
 QString navigation() {
     return QSettings().value(u"navigation"_s).toString();
 }

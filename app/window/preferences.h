@@ -6,6 +6,7 @@
 
 #include <QByteArray>
 #include <QKeySequence>
+#include <QLocale>
 #include <QString>
 
 #include <optional>
@@ -22,6 +23,8 @@ void setThemeChoice(ThemeChoice choice);
 /// Language as in languages(); empty follows the desktop.
 [[nodiscard]] QString language();
 void setLanguage(const QString& language);
+/// Of that language.
+[[nodiscard]] QLocale locale();
 
 /// Id of the navigation scheme.
 [[nodiscard]] QString navigation();

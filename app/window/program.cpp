@@ -10,8 +10,6 @@
 #include <QApplication>
 #include <QFont>
 #include <QFontDatabase>
-#include <QLibraryInfo>
-#include <QLocale>
 
 namespace moldwright {
 
@@ -40,14 +38,8 @@ Program::Program() : m_autosave(m_bench.document()) {
 Program::~Program() = default;
 
 void Program::setLanguage(const QString& language) {
-    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
-    QCoreApplication::removeTranslator(&m_translator);
-    QCoreApplication::removeTranslator(&m_qtTranslator);
-    if (m_translator.load(locale, u"moldwright"_s, u"_"_s, u":/i18n"_s))
-        QCoreApplication::installTranslator(&m_translator);
-    if (m_qtTranslator.load(locale, u"qtbase"_s, u"_"_s, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-        QCoreApplication::installTranslator(&m_qtTranslator);
     preferences::setLanguage(language);
+    m_language.emplace(preferences::locale());
     showWindow();
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "language/spoken_language.h"
 #include "window/autosave.h"
 #include "window/recovery.h"
 #include "window/workbench.h"
 
-#include <QTranslator>
-
 #include <memory>
+#include <optional>
 
 namespace moldwright {
 
@@ -33,8 +33,7 @@ private:
     void keepWork();
     void showWindow();
 
-    QTranslator m_translator;
-    QTranslator m_qtTranslator;
+    std::optional<SpokenLanguage> m_language;
     Workbench m_bench;
     Autosave m_autosave;
     Recovery m_recovery;

@@ -3,6 +3,7 @@
 #include "window/workbench.h"
 
 #include "project/project_file.h"
+#include "window/preferences.h"
 #include "window/sentence.h"
 
 #include <QCoreApplication>
@@ -50,13 +51,16 @@ QString render(const QByteArray& order, const Task& task) {
 
 void Workbench::writeReport(const QString& file) {
     const Project project = m_document.committed();
+    const QString language = preferences::locale().name();
     m_background.start(tr("Drawing the report"), [=, this](const Task& task) -> Background::Finish {
         const QTemporaryDir folder;
         const QString input = folder.filePath(u"project.moldwright"_s);
         const Result<void> written = saveProject(input.toStdString(), {project, {}, {}});
-        const QByteArray order =
-            QJsonDocument(QJsonObject{{u"task"_s, u"report"_s}, {u"project"_s, input}, {u"out"_s, file}})
-                .toJson();
+        const QByteArray order = QJsonDocument(QJsonObject{{u"task"_s, u"report"_s},
+                                                           {u"project"_s, input},
+                                                           {u"out"_s, file},
+                                                           {u"language"_s, language}})
+                                     .toJson();
         const QString trouble = written ? render(order, task) : sentence(written.error().message);
         return [=, this] {
             if (!trouble.isEmpty()) {

@@ -226,14 +226,15 @@ private:
     Task m_task;
 };
 
-/// Fills where bending alone does not end well. Where even that costs more than filling all at another plane,
-/// that plane is tried too.
+/// Fills where bending alone does not end well, or no plane that was worth bending at passes. Where even that
+/// costs more than filling all at another plane, that plane is tried too.
 void tryFilling(const PinnedShape& pinned, const MoldStates& states, Tries& tries, DesignRun& run) {
-    if (tries.first && !tries.wantsFilling())
+    const bool passes = tries.first && !states.onlyOthersPassed();
+    if (passes && !tries.wantsFilling())
         return;
-    const MoldState best = tries.first.value_or(states.best());
+    const MoldState best = passes ? *tries.first : states.best();
     FillingTries atBest(pinned, best, tries, run);
-    atBest.fillLittle(tries.first.has_value());
+    atBest.fillLittle(passes);
     const FillableState other = states.leastToFill();
     const auto costsMore = [&] { return !tries.castable() || givenUp(*tries.best) > other.filled; };
     if (other.state.plane != best.plane && costsMore()) {

@@ -10,6 +10,8 @@ namespace moldwright {
 inline constexpr double kLimbLength = 0.85; ///< share of its length that a limb keeps, or it counts as lost
 inline constexpr double kLimbVolume = 0.75; ///< share of its volume
 inline constexpr double kStrainKept = 1;    ///< rms strain above which nothing of the part's form is left
+inline constexpr double kStrainFree = 0.2;  ///< rms strain that hardly shows
+inline constexpr double kStrainPrice = 0.5; ///< shares of the volume filled that rms strain above it weighs
 
 /// By how much a limb fell short of what it is to keep.
 [[nodiscard]] inline double missing(const LimbMeasure& limb) {
@@ -36,9 +38,11 @@ inline constexpr double kStrainKept = 1;    ///< rms strain above which nothing 
     return limbsLost(result) + volumeLost(result) + std::max(0.0, result.strain.rms - kStrainKept);
 }
 
-/// What the part has given up: what bending took, and the share of its volume that filling buries it under.
+/// What the part has given up, to compare ways by: what bending took and how far it went, and the share of
+/// the part's volume that filling buries it under.
 [[nodiscard]] inline double givenUp(const DesignResult& result) {
-    return bentAway(result) + result.change.filledVolumeFraction;
+    return bentAway(result) + kStrainPrice * std::max(0.0, result.strain.rms - kStrainFree) +
+           result.change.filledVolumeFraction;
 }
 
 } // namespace moldwright

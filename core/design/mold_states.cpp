@@ -39,7 +39,7 @@ Result<MoldStates> MoldStates::create(const IndexedMesh& shape, DesignRun& run) 
     MoldStates states(shape, run);
     if (run.request().plane) {
         states.m_best = {*run.request().plane, run.directionsFor(shape, *run.request().plane)};
-        states.m_all = states.m_left = {states.m_best};
+        states.m_all = states.m_left = {{states.m_best, true}};
         return states;
     }
     const Stopwatch watch(run.seconds(), "plane");
@@ -52,7 +52,7 @@ Result<MoldStates> MoldStates::create(const IndexedMesh& shape, DesignRun& run) 
     std::stable_sort(found.begin() + 1, found.end(),
                      [](const PlaneCandidate& a, const PlaneCandidate& b) { return a.energy < b.energy; });
     for (const PlaneCandidate& candidate : found)
-        states.m_all.push_back(candidate.state);
+        states.m_all.push_back({candidate.state, true});
     states.addOtherPlanes();
     states.m_left = states.m_all;
     return states;
@@ -65,9 +65,9 @@ void MoldStates::addOtherPlanes() {
     const DirectionLimits limits = search.normalDirections ? alongNormal(search.limits) : search.limits;
     for (const Eigen::Vector3d& normal : evenDirections()) {
         const bool isNew = std::ranges::none_of(
-            m_all, [&](const MoldState& state) { return leansAlike(state.plane.normal, normal); });
+            m_all, [&](const Candidate& there) { return leansAlike(there.state.plane.normal, normal); });
         if (isNew && allows(limits, normal))
-            m_all.push_back({{normal, normal.dot(middle)}, middleDirections(limits, normal)});
+            m_all.push_back({{{normal, normal.dot(middle)}, middleDirections(limits, normal)}, false});
     }
 }
 
@@ -75,8 +75,8 @@ FillableState MoldStates::leastToFill() const {
     const Stopwatch watch(m_run->seconds(), "plane");
     std::vector<FillableState> states;
     states.reserve(m_all.size());
-    for (const MoldState& state : m_all)
-        states.push_back({stateAt(state), 0});
+    for (const Candidate& candidate : m_all)
+        states.push_back({stateAt(candidate.state), 0});
     parallelFor(states.size(), 1, [&](std::size_t i, std::size_t) {
         states[i].filled = estimatedFill(*m_shape, states[i].state);
     });
@@ -91,11 +91,13 @@ MoldState MoldStates::stateAt(const MoldState& candidate) const {
 }
 
 std::optional<MoldState> MoldStates::takeIfPassing(std::size_t i) {
-    const MoldState state = stateAt(m_left[i]);
+    const Candidate candidate = m_left[i];
+    const MoldState state = stateAt(candidate.state);
     m_left.erase(m_left.begin() + static_cast<std::ptrdiff_t>(i));
     if (!planePasses(*m_shape, state, m_run->request().undercuts, m_run->task()))
         return std::nullopt;
     m_normals.push_back(state.plane.normal);
+    m_bestPassed = m_bestPassed || candidate.isBest;
     return state;
 }
 
@@ -103,7 +105,7 @@ std::optional<MoldState> MoldStates::next() {
     const Stopwatch watch(m_run->seconds(), "plane");
     for (const bool mustDiffer : {true, false})
         for (std::size_t i = 0; i < m_left.size() && !m_run->stopped();) {
-            const Eigen::Vector3d normal = m_left[i].plane.normal;
+            const Eigen::Vector3d normal = m_left[i].state.plane.normal;
             const bool alike = std::any_of(m_normals.begin(), m_normals.end(),
                                            [&](const Eigen::Vector3d& n) { return leansAlike(n, normal); });
             if (mustDiffer && alike)

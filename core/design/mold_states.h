@@ -29,6 +29,9 @@ public:
     /// The next state; none when there is no further one that passes, or the run was stopped.
     [[nodiscard]] std::optional<MoldState> next();
 
+    /// Whether none of the best planes passed, of those whose turn has come.
+    [[nodiscard]] bool onlyOthersPassed() const { return !m_bestPassed; }
+
     /// The state of least energy, whether it passes or not.
     [[nodiscard]] const MoldState& best() const { return m_best; }
 
@@ -44,8 +47,13 @@ private:
     const IndexedMesh* m_shape;
     DesignRun* m_run;
     MoldState m_best;
-    std::vector<MoldState> m_all;
-    std::vector<MoldState> m_left;          ///< not yet tested, in the order to try
+    struct Candidate {
+        MoldState state;
+        bool isBest; ///< of the search; else one that leans otherwise
+    };
+    std::vector<Candidate> m_all;
+    std::vector<Candidate> m_left; ///< not yet tested, in the order to try
+    bool m_bestPassed = false;
     std::vector<Eigen::Vector3d> m_normals; ///< of those handed out
 };
 

@@ -12,21 +12,45 @@ namespace {
 /// How a number of mold.json is printed; those that are not named here tell a place or a number, not a size.
 struct Size {
     const char* key;
-    const char* before;
+    const char* text; ///< {0}: value and unit
     const char* unit;
-    const char* after;
 };
-constexpr Size kSizes[] = {{"volume", "", " mm³", ""},
-                           {"diameter", "⌀ ", " mm", ""},
-                           {"length", "length ", " mm", ""},
-                           {"width", "width ", " mm", ""},
-                           {"depth", "depth ", " mm", ""},
-                           {"height", "height ", " mm", ""},
-                           {"height_1", "", " mm", " into half 1"},
-                           {"height_2", "", " mm", " into half 2"},
-                           {"clearance", "clearance ", " mm", ""},
-                           {"neck", "neck ⌀ ", " mm", ""},
-                           {"lean_deg", "lean ", "°", ""}};
+constexpr Size kSizes[] = {{"volume", "{0}", " mm³"},
+                           {"diameter", "⌀ {0}", " mm"},
+                           {"length", MW_TEXT("Report", "length {0}"), " mm"},
+                           {"width", MW_TEXT("Report", "width {0}"), " mm"},
+                           {"depth", MW_TEXT("Report", "depth {0}"), " mm"},
+                           {"height", MW_TEXT("Report", "height {0}"), " mm"},
+                           {"height_1", MW_TEXT("Report", "{0} into half 1"), " mm"},
+                           {"height_2", MW_TEXT("Report", "{0} into half 2"), " mm"},
+                           {"clearance", MW_TEXT("Report", "clearance {0}"), " mm"},
+                           {"neck", MW_TEXT("Report", "neck ⌀ {0}"), " mm"},
+                           {"lean_deg", MW_TEXT("Report", "lean {0}"), "°"}};
+
+/// Names that the builder gives features and steel, so that the translation tools find them.
+[[maybe_unused]] constexpr const char* kNames[] = {MW_TEXT("Report", "Cavity"),
+                                                   MW_TEXT("Report", "Cavity, mirrored"),
+                                                   MW_TEXT("Report", "Spout"),
+                                                   MW_TEXT("Report", "Spout through half 1"),
+                                                   MW_TEXT("Report", "Runner"),
+                                                   MW_TEXT("Report", "Gate"),
+                                                   MW_TEXT("Report", "Vent"),
+                                                   MW_TEXT("Report", "Key"),
+                                                   MW_TEXT("Report", "Wedge slit"),
+                                                   MW_TEXT("Report", "Bolt hole"),
+                                                   MW_TEXT("Report", "Ejector hole in half 1"),
+                                                   MW_TEXT("Report", "Ejector hole in half 2"),
+                                                   MW_TEXT("Report", "Air that stays"),
+                                                   MW_TEXT("Report", "cavity"),
+                                                   MW_TEXT("Report", "spout"),
+                                                   MW_TEXT("Report", "runner"),
+                                                   MW_TEXT("Report", "gate"),
+                                                   MW_TEXT("Report", "vent"),
+                                                   MW_TEXT("Report", "key"),
+                                                   MW_TEXT("Report", "slit"),
+                                                   MW_TEXT("Report", "bolt hole"),
+                                                   MW_TEXT("Report", "ejector hole"),
+                                                   MW_TEXT("Report", "outside")};
 
 /// All features of one name.
 struct Kind {
@@ -66,82 +90,30 @@ std::string rangeText(const std::pair<double, double>& range, std::string unit) 
     }
     const std::string from = readable(least, 3);
     const std::string to = readable(greatest, 3);
-    return (from == to ? from : from + " to " + to) + unit;
+    return (from == to ? from : from + " – " + to) + unit;
 }
 
-std::string sizesOf(const Kind& kind) {
+std::string sizesOf(const Kind& kind, const Phrases& say) {
     std::string text;
     for (const Size& size : kSizes)
         if (const auto range = kind.range.find(size.key); range != kind.range.end())
-            text +=
-                (text.empty() ? "" : ", ") + (size.before + rangeText(range->second, size.unit)) + size.after;
+            text += (text.empty() ? "" : ", ") + say(size.text, {rangeText(range->second, size.unit)});
     return text;
-}
-
-/// A row for a value that is as it comes.
-class Defaults {
-public:
-    void add(const char* name, double value, double usual, const char* unit, const char* source) {
-        if (value == usual)
-            m_used.push_back({name, readable(value) + unit, source});
-    }
-    [[nodiscard]] std::vector<ReportDefault> used() && { return std::move(m_used); }
-
-private:
-    std::vector<ReportDefault> m_used;
-};
-
-constexpr const char* kOwn = "own choice";
-constexpr const char* kOpen = "open mold generators";
-
-void addFilling(Defaults& defaults, const MoldSettings& mold) {
-    const MoldSettings usual;
-    if (mold.spout.on) {
-        defaults.add("Spout, diameter", mold.spout.diameter, usual.spout.diameter, " mm", kOpen);
-        defaults.add("Spout, at the block’s face", mold.spout.funnel, usual.spout.funnel, " mm", kOwn);
-        defaults.add("Gate, width", mold.spout.gate, usual.spout.gate, " mm", kOwn);
-        defaults.add("Channels, draft", mold.spout.draft, usual.spout.draft, "°", kOpen);
-    }
-    if (mold.spout.on && mold.spout.resting == Resting::Lying)
-        defaults.add("Neck of the spout", mold.spout.neck, usual.spout.neck, " mm", kOwn);
-    if (mold.vents.on) {
-        defaults.add("Vents, at the narrowest", mold.vents.diameter, usual.vents.diameter, " mm",
-                     "gravity pour, shop practice");
-        defaults.add("Air that may stay", mold.vents.smallestTrap, usual.vents.smallestTrap, " mm³", kOwn);
-    }
-}
-
-void addFastening(Defaults& defaults, const MoldSettings& mold) {
-    const MoldSettings usual;
-    if (mold.keys.count > 0) {
-        defaults.add("Keys, diameter", mold.keys.diameter, usual.keys.diameter, " mm", kOpen);
-        defaults.add("Keys, height", mold.keys.height, usual.keys.height, " mm", kOpen);
-        defaults.add("Keys, clearance", mold.keys.clearance, usual.keys.clearance, " mm", kOpen);
-        defaults.add("Keys, draft at least", mold.keys.draft, usual.keys.draft, "°", kOpen);
-        defaults.add("First key larger by", mold.keys.oddBy, usual.keys.oddBy, " mm", kOpen);
-    }
-    if (mold.slits.count > 0) {
-        defaults.add("Wedge slits, depth", mold.slits.depth, usual.slits.depth, " mm", "mold makers");
-        defaults.add("Wedge slits, width", mold.slits.width, usual.slits.width, " mm", kOwn);
-        defaults.add("Wedge slits, height in each half", mold.slits.height, usual.slits.height, " mm", kOwn);
-    }
-    if (mold.bolts.count > 0) {
-        defaults.add("Bolt holes, diameter", mold.bolts.diameter, usual.bolts.diameter, " mm",
-                     "M6, ISO 273 medium");
-        defaults.add("Bolt holes, steel to faces", mold.bolts.wall, usual.bolts.wall, " mm", "shop practice");
-        defaults.add("Bolt holes, steel to the rest", mold.bolts.clear, usual.bolts.clear, " mm", kOwn);
-    }
-    if (mold.ejectors.count > 0)
-        defaults.add("Ejector holes, diameter", mold.ejectors.diameter, usual.ejectors.diameter, " mm", kOwn);
 }
 
 } // namespace
 
-std::optional<ReportTable> featureTable(const Mold& mold) {
-    ReportTable table{"Cavities and features", {"Feature", "How many", "Each"}, {}, SIZE_MAX, {}, {4, 1, 7}};
+std::optional<ReportTable> featureTable(const Mold& mold, const Phrases& say) {
+    ReportTable table{say(MW_TEXT("Report", "Cavities and features")),
+                      {say(MW_TEXT("Report", "Feature")), say(MW_TEXT("Report", "How many")),
+                       say(MW_TEXT("Report", "Each"))},
+                      {},
+                      SIZE_MAX,
+                      {},
+                      {4, 1, 7}};
     bool more = false;
     for (const Kind& kind : kindsOf(mold)) {
-        table.rows.push_back({kind.name, std::to_string(kind.count), sizesOf(kind)});
+        table.rows.push_back({say(kind.name), std::to_string(kind.count), sizesOf(kind, say)});
         more = more || !kind.name.starts_with("Cavity");
     }
     if (!more)
@@ -149,17 +121,10 @@ std::optional<ReportTable> featureTable(const Mold& mold) {
     return table;
 }
 
-std::vector<ReportDefault> featureDefaults(const MoldSettings& settings) {
-    Defaults defaults;
-    addFilling(defaults, settings);
-    addFastening(defaults, settings);
-    return std::move(defaults).used();
-}
-
-std::vector<std::string> notesOf(const Mold& mold) {
+std::vector<std::string> notesOf(const Mold& mold, const Phrases& say) {
     std::vector<std::string> notes = mold.notes;
     for (const MoldFeature& feature : mold.features) {
-        const std::string note = feature.name + ": " + feature.note;
+        const std::string note = say(feature.name) + ": " + feature.note;
         if (!feature.note.empty() && std::ranges::find(notes, note) == notes.end())
             notes.push_back(note);
     }

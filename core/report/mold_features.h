@@ -12,12 +12,9 @@ namespace moldwright {
 /// What was built into a mold besides its cavities: a row for each name, with how many there are and their
 /// sizes, in mm, degrees, cm³ or mm³; from the least to the greatest where they differ. None where the mold
 /// has cavities only.
-[[nodiscard]] std::optional<ReportTable> featureTable(const Mold& mold);
-
-/// Sizes of those features that stand as nobody chose them, with their sources.
-[[nodiscard]] std::vector<ReportDefault> featureDefaults(const MoldSettings& settings);
+[[nodiscard]] std::optional<ReportTable> featureTable(const Mold& mold, const Phrases& say);
 
 /// What is proved of a mold but should be known: the builder's notes, those of single features once each.
-[[nodiscard]] std::vector<std::string> notesOf(const Mold& mold);
+[[nodiscard]] std::vector<std::string> notesOf(const Mold& mold, const Phrases& say);
 
 } // namespace moldwright

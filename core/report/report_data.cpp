@@ -4,6 +4,7 @@
 #include "mesh/measures.h"
 #include "mold/shrink.h"
 #include "report/figures.h"
+#include "report/mold_defaults.h"
 #include "report/mold_features.h"
 
 #include <algorithm>
@@ -28,166 +29,170 @@ std::string provedAngle(const Mold& mold) {
     return figureRoundedDown(mold.castCertificate.worstDraftDegrees, 2) + "°";
 }
 
-void addVerdict(ReportData& data, const ReportSubject& subject) {
+std::string lowerCase(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+void addVerdict(ReportData& data, const ReportSubject& subject, const Phrases& say) {
     const std::string required = angle(subject.draftDegrees);
+    data.verdict = say(MW_TEXT("Report", "Not castable yet"));
     if (!subject.cast) {
-        data.verdict = "Not castable yet";
-        data.statement = "No cast has been made of this part. Required draft " + required + ".";
+        data.statement =
+            say(MW_TEXT("Report", "No cast has been made of this part. Required draft {0}."), {required});
     } else if (!subject.mold) {
-        data.verdict = "No mold yet";
-        data.statement = "The cast is there, its mold could not be built. Required draft " + required + ".";
+        data.verdict = say(MW_TEXT("Report", "No mold yet"));
+        data.statement =
+            say(MW_TEXT("Report", "The cast is there, its mold could not be built. Required draft {0}."),
+                {required});
     } else if (subject.mold->verified()) {
         data.proved = true;
-        data.verdict = "Castable. The mold opens.";
-        data.statement = "Proved on the written halves for every face: draft " + provedAngle(*subject.mold) +
-                         " or more, where " + required + " is required.";
+        data.verdict = say(MW_TEXT("Report", "Castable. The mold opens."));
+        data.statement = say(MW_TEXT("Report", "Proved on the written halves for every face: draft {0} or "
+                                               "more, where {1} is required."),
+                             {provedAngle(*subject.mold), required});
     } else {
-        data.verdict = "Not castable yet";
-        data.statement = "The mold is not proved to open. Open items are on page 2.";
+        data.statement = say(MW_TEXT("Report", "The mold is not proved to open. Open items are on page 2."));
     }
 }
 
 /// "1.5 %, 1 + S: factor 1.015"; by axes of the part where they differ.
-std::string shrinkText(const ShrinkSettings& shrink) {
+std::string shrinkText(const ShrinkSettings& shrink, const Phrases& say) {
     const Vector3d& percent = shrink.percent;
     if (percent.isZero(0))
-        return "none, factor 1";
+        return say(MW_TEXT("Report", "none, factor 1"));
     const auto factor = [&](int axis) { return readable(shrinkFactor(percent[axis], shrink.formula), 5); };
     const std::string formula = shrink.formula == ShrinkFormula::Plus ? "1 + S" : "1/(1 − S)";
     if (percent.x() == percent.y() && percent.y() == percent.z())
-        return readable(percent.x()) + " %, " + formula + ": factor " + factor(0);
-    return "x " + readable(percent.x()) + ", y " + readable(percent.y()) + ", z " + readable(percent.z()) +
-           " %, " + formula + ": factors " + factor(0) + ", " + factor(1) + ", " + factor(2);
+        return say(MW_TEXT("Report", "{0} %, {1}: factor {2}"), {readable(percent.x()), formula, factor(0)});
+    return say(MW_TEXT("Report", "x {0}, y {1}, z {2} %, {3}: factors {4}, {5}, {6}"),
+               {readable(percent.x()), readable(percent.y()), readable(percent.z()), formula, factor(0),
+                factor(1), factor(2)});
 }
 
 /// The thinnest steel's row, with what it stands between.
-ReportRow steelRow(const Mold& mold) {
-    std::string name = "Smallest steel";
-    if (!mold.steel.empty()) {
-        std::string between = mold.steel.front().first + " to " + mold.steel.front().second;
-        std::ranges::transform(between, between.begin(),
-                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        name += ", " + between;
-    }
+ReportRow steelRow(const Mold& mold, const Phrases& say) {
+    std::string name = say(MW_TEXT("Report", "Smallest steel"));
+    if (!mold.steel.empty())
+        name = say(MW_TEXT("Report", "Smallest steel, {0} to {1}"),
+                   {say(lowerCase(mold.steel.front().first)), say(lowerCase(mold.steel.front().second))});
     return {name, figure(mold.minWall, 2) + " mm", true};
 }
 
-std::vector<ReportRow> titleBlock(const ReportSubject& subject) {
+std::vector<ReportRow> titleBlock(const ReportSubject& subject, const Phrases& say) {
     const SharedMesh& shown = subject.cast ? subject.cast : subject.part;
-    return {{"Part", subject.partName},
-            {"Read from", subject.sourceFile},
-            {"Size", shown ? sizeInMillimetres(boundingBox(*shown).sizes()) : "none"},
-            {"Date", subject.date},
-            {"Units", "millimetres, degrees"},
-            {"Shrink", subject.mold ? shrinkText(subject.mold->settings.shrink) : "no mold yet"}};
+    return {{say(MW_TEXT("Report", "Part")), subject.partName},
+            {say(MW_TEXT("Report", "Read from")), subject.sourceFile},
+            {say(MW_TEXT("Report", "Size")),
+             shown ? sizeInMillimetres(boundingBox(*shown).sizes()) : say(MW_TEXT("Report", "none"))},
+            {say(MW_TEXT("Report", "Date")), subject.date},
+            {say(MW_TEXT("Report", "Units")), say(MW_TEXT("Report", "millimetres, degrees"))},
+            {say(MW_TEXT("Report", "Shrink")), subject.mold ? shrinkText(subject.mold->settings.shrink, say)
+                                                            : say(MW_TEXT("Report", "no mold yet"))}};
 }
 
-ReportSection planeAndDirections(const ReportSubject& subject) {
-    ReportSection section{"Parting plane and directions", {}};
+ReportSection planeAndDirections(const ReportSubject& subject, const Phrases& say) {
+    ReportSection section{say(MW_TEXT("Report", "Parting plane and directions")), {}};
     if (!subject.state) {
-        section.rows.push_back({"Plane", "none chosen"});
+        section.rows.push_back({say(MW_TEXT("Report", "Plane")), say(MW_TEXT("Report", "none chosen"))});
         return section;
     }
     const auto& [plane, directions] = *subject.state;
-    section.rows = {
-        {"Plane, n · x = o", "n = " + figures(plane.normal, 4) + "\no = " + figure(plane.offset, 2) + " mm"},
-        {"Direction 1",
-         figures(directions.d1, 4) + "\n" + angle(angleBetween(directions.d1, plane.normal)) + " to n"},
-        {"Direction 2",
-         figures(directions.d2, 4) + "\n" + angle(angleBetween(directions.d2, -plane.normal)) + " to −n"}};
+    const auto direction = [&](const Vector3d& d, const Vector3d& outward, const char* against) {
+        return figures(d, 4) + "\n" +
+               say(MW_TEXT("Report", "{0} to {1}"), {angle(angleBetween(d, outward)), against});
+    };
+    section.rows = {{say(MW_TEXT("Report", "Plane, n · x = o")),
+                     "n = " + figures(plane.normal, 4) + "\no = " + figure(plane.offset, 2) + " mm"},
+                    {say(MW_TEXT("Report", "Direction 1")), direction(directions.d1, plane.normal, "n")},
+                    {say(MW_TEXT("Report", "Direction 2")), direction(directions.d2, -plane.normal, "−n")}};
     return section;
 }
 
-ReportSection numbers(const ReportSubject& subject) {
-    ReportSection section{"Numbers", {}};
+ReportSection numbers(const ReportSubject& subject, const Phrases& say) {
+    ReportSection section{say(MW_TEXT("Report", "Numbers")), {}};
     if (!subject.mold) {
         if (subject.part)
-            section.rows.push_back({"Volume of the part", volumeInCm3(volume(*subject.part))});
+            section.rows.push_back(
+                {say(MW_TEXT("Report", "Volume of the part")), volumeInCm3(volume(*subject.part))});
         return section;
     }
     const Mold& mold = *subject.mold;
-    section.rows = {{"Cavity, as cut", volumeInCm3(mold.cavityVolume), true},
-                    {"Mix, with 10 % allowance", volumeInCm3(1.1 * (mold.cavityVolume + mold.channelVolume))},
-                    {"Projected area in the plane", areaInCm2(mold.partingArea)},
-                    {"Clamp force, " + readable(mold.settings.pressure) + " bar × 1.1",
+    section.rows = {{say(MW_TEXT("Report", "Cavity, as cut")), volumeInCm3(mold.cavityVolume), true},
+                    {say(MW_TEXT("Report", "Mix, with 10 % allowance")),
+                     volumeInCm3(1.1 * (mold.cavityVolume + mold.channelVolume))},
+                    {say(MW_TEXT("Report", "Projected area in the plane")), areaInCm2(mold.partingArea)},
+                    {say(MW_TEXT("Report", "Clamp force, {0} bar × 1.1"), {readable(mold.settings.pressure)}),
                      figure(mold.clampForce, mold.clampForce < 10 ? 2 : 1) + " kN"},
-                    {"Mold, closed", sizeInMillimetres(mold.blockSize)},
-                    steelRow(mold)};
+                    {say(MW_TEXT("Report", "Mold, closed")), sizeInMillimetres(mold.blockSize)},
+                    steelRow(mold, say)};
     return section;
 }
 
-ReportSection kept(const ReportSubject& subject) {
-    ReportSection section{"Kept from the part", {}};
+ReportSection kept(const ReportSubject& subject, const Phrases& say) {
+    ReportSection section{say(MW_TEXT("Report", "Kept from the part")), {}};
     if (!subject.change || !subject.part)
         return section;
     const double size = diagonal(*subject.part);
     const Change& change = *subject.change;
-    section.rows = {{"Mean deviation, after best fit", figure(change.meanDistance * size, 2) + " mm"},
-                    {"Largest deviation", figure(change.maxDistance * size, 2) + " mm"},
-                    {"Volume, cast over part", figure(100 * change.volumeRatio, 1) + " %"},
-                    {"Filled in", figure(100 * change.filledVolumeFraction, 1) + " %"}};
+    section.rows = {
+        {say(MW_TEXT("Report", "Mean deviation, after best fit")),
+         figure(change.meanDistance * size, 2) + " mm"},
+        {say(MW_TEXT("Report", "Largest deviation")), figure(change.maxDistance * size, 2) + " mm"},
+        {say(MW_TEXT("Report", "Volume, cast over part")), figure(100 * change.volumeRatio, 1) + " %"},
+        {say(MW_TEXT("Report", "Filled in")), figure(100 * change.filledVolumeFraction, 1) + " %"}};
     return section;
 }
 
-std::vector<ReportSection> halves(const Mold& mold) {
-    const auto section = [](const char* name, const MoldHalf& half, const Vector3d& d) {
+std::vector<ReportSection> halves(const Mold& mold, const Phrases& say) {
+    const auto section = [&](const std::string& name, const MoldHalf& half, const Vector3d& d) {
         return ReportSection{name,
-                             {{"Size", sizeInMillimetres(half.size)},
-                              {"Volume", volumeInCm3(half.volume)},
-                              {"Opens along, mold’s frame", figures(d, 4)}}};
+                             {{say(MW_TEXT("Report", "Size")), sizeInMillimetres(half.size)},
+                              {say(MW_TEXT("Report", "Volume")), volumeInCm3(half.volume)},
+                              {say(MW_TEXT("Report", "Opens along, mold’s frame")), figures(d, 4)}}};
     };
-    return {section("Mold half 1", mold.half1, mold.directions.d1),
-            section("Mold half 2", mold.half2, mold.directions.d2)};
+    return {section(say(MW_TEXT("Report", "Mold half 1")), mold.half1, mold.directions.d1),
+            section(say(MW_TEXT("Report", "Mold half 2")), mold.half2, mold.directions.d2)};
 }
 
-std::vector<ReportCheck> checks(const Mold& mold) {
+std::vector<ReportCheck> checks(const Mold& mold, const Phrases& say) {
     const Certificate& c = mold.castCertificate;
-    const std::string draft = figure(mold.draftDegrees, 1) + "°";
     return {
-        {"The cast is closed, manifold and outward", c.closedAndOutward},
-        {"Each direction leaves the parting plane on its side", c.directionsLeave},
-        {"Every face has a draft of " + draft + " or more, in exact arithmetic", c.draftHolds},
-        {"No face lies across the parting plane", c.curvesOnPlane},
-        {"The parting line is simple and nested, seen along both directions", c.curvesSimpleAndNested},
-        {"The cast does not cross itself", c.selfIntersectionFree},
-        {"Both halves are closed, in one piece, and free to move at any distance", mold.problems.empty()}};
+        {say(MW_TEXT("Report", "The cast is closed, manifold and outward")), c.closedAndOutward},
+        {say(MW_TEXT("Report", "Each direction leaves the parting plane on its side")), c.directionsLeave},
+        {say(MW_TEXT("Report", "Every face has a draft of {0} or more, in exact arithmetic"),
+             {angle(mold.draftDegrees)}),
+         c.draftHolds},
+        {say(MW_TEXT("Report", "No face lies across the parting plane")), c.curvesOnPlane},
+        {say(MW_TEXT("Report", "The parting line is simple and nested, seen along both directions")),
+         c.curvesSimpleAndNested},
+        {say(MW_TEXT("Report", "The cast does not cross itself")), c.selfIntersectionFree},
+        {say(MW_TEXT("Report", "Both halves are closed, in one piece, and free to move at any distance")),
+         mold.problems.empty()}};
 }
 
 /// Those that missed their limit are open items too.
-void addRegions(ReportData& data, const std::vector<ReportRegion>& regions) {
+void addRegions(ReportData& data, const std::vector<ReportRegion>& regions, const Phrases& say) {
     for (const ReportRegion& region : regions) {
-        const std::string moved = region.name + ": shape changed by " + figure(region.maxDistance, 2) + " mm";
+        const std::string moved = figure(region.maxDistance, 2) + " mm";
+        const std::string limit = figure(region.within, 2) + " mm";
         if (region.within <= 0) {
-            data.regions.push_back({moved + ", no limit", true});
+            data.regions.push_back(
+                {say(MW_TEXT("Report", "{0}: shape changed by {1}, no limit"), {region.name, moved}), true});
             continue;
         }
         const bool holds = region.maxDistance <= region.within;
-        const std::string limit = figure(region.within, 2) + " mm";
-        data.regions.push_back({moved + ", " + limit + " allowed", holds});
+        data.regions.push_back(
+            {say(MW_TEXT("Report", "{0}: shape changed by {1}, {2} allowed"), {region.name, moved, limit}),
+             holds});
         if (!holds)
-            data.openItems.push_back(moved + ", more than the " + limit + " allowed.");
+            data.openItems.push_back(
+                say(MW_TEXT("Report", "{0}: shape changed by {1}, more than the {2} allowed."),
+                    {region.name, moved, limit}));
     }
     std::stable_partition(data.regions.begin(), data.regions.end(),
                           [](const ReportCheck& check) { return !check.holds; });
-}
-
-std::vector<ReportDefault> defaults(const Mold& mold) {
-    const MoldSettings usual;
-    std::vector<ReportDefault> used;
-    const auto add = [&](const std::string& name, double value, double normal, const std::string& unit,
-                         const std::string& source) {
-        if (value == normal)
-            used.push_back({name, readable(value) + " " + unit, source});
-    };
-    add("Wall", mold.settings.wall, usual.wall, "mm", "open mold generators, 1.5 to 25 mm");
-    add("Floor", mold.settings.floor, usual.floor, "mm", "as the wall");
-    add("Ceiling", mold.settings.ceiling, usual.ceiling, "mm", "as the wall");
-    add("Sizes round up to", mold.settings.step, usual.step, "mm", "own choice");
-    add("Cavity pressure", mold.settings.pressure, usual.pressure, "bar",
-        "no source: set it to your process");
-    used.push_back({"Clamp allowance", "× 1.1", "1.1 to 1.2 in shop practice"});
-    used.push_back({"Mix allowance", "10 %", "shop practice"});
-    return used;
 }
 
 } // namespace
@@ -216,38 +221,41 @@ std::array<DraftBars, 2> draftBars(const IndexedMesh& placedCast, const Directio
     return bars;
 }
 
-ReportData reportData(const ReportSubject& subject) {
+ReportData reportData(const ReportSubject& subject, const Phrases& say) {
     ReportData data;
     data.partName = subject.partName;
     data.fileHash = subject.fileHash;
     data.date = subject.date;
     data.requiredDraft = subject.draftDegrees;
-    addVerdict(data, subject);
-    data.titleBlock = titleBlock(subject);
-    data.partCaption = subject.partAnalysis ? "Red below " + angle(subject.draftDegrees) + ": " +
-                                                  areaInCm2(subject.partAnalysis->violatingArea)
-                                            : "As read";
-    data.castCaption =
-        subject.change && subject.part
-            ? "Mean deviation " + figure(subject.change->meanDistance * diagonal(*subject.part), 2) + " mm"
-            : "None yet";
-    data.planeAndDirections = planeAndDirections(subject);
-    data.numbers = numbers(subject);
-    data.kept = kept(subject);
+    addVerdict(data, subject, say);
+    data.titleBlock = titleBlock(subject, say);
+    data.partCaption =
+        subject.partAnalysis
+            ? say(MW_TEXT("Report", "Red below {0}: {1}"),
+                  {angle(subject.draftDegrees), areaInCm2(subject.partAnalysis->violatingArea)})
+            : say(MW_TEXT("Report", "As read"));
+    data.castCaption = subject.change && subject.part
+                           ? say(MW_TEXT("Report", "Mean deviation {0} mm"),
+                                 {figure(subject.change->meanDistance * diagonal(*subject.part), 2)})
+                           : say(MW_TEXT("Report", "None yet"));
+    data.planeAndDirections = planeAndDirections(subject, say);
+    data.numbers = numbers(subject, say);
+    data.kept = kept(subject, say);
     if (subject.mold) {
         data.bars = draftBars(*subject.mold->cast, subject.mold->directions);
-        data.halves = halves(*subject.mold);
-        data.checks = checks(*subject.mold);
-        data.defaults = defaults(*subject.mold);
-        data.features = featureTable(*subject.mold);
-        data.featureDefaults = featureDefaults(subject.mold->settings);
-        data.notes = notesOf(*subject.mold);
+        data.halves = halves(*subject.mold, say);
+        data.checks = checks(*subject.mold, say);
+        data.defaults = blockDefaults(subject.mold->settings, say);
+        data.features = featureTable(*subject.mold, say);
+        data.featureDefaults = featureDefaults(subject.mold->settings, say);
+        data.notes = notesOf(*subject.mold, say);
         data.openItems = subject.mold->problems;
     } else {
-        data.openItems.emplace_back(subject.cast ? "Build the mold."
-                                                 : "Make the part castable, then build the mold.");
+        data.openItems.push_back(
+            subject.cast ? say(MW_TEXT("Report", "Build the mold."))
+                         : say(MW_TEXT("Report", "Make the part castable, then build the mold.")));
     }
-    addRegions(data, subject.regions);
+    addRegions(data, subject.regions, say);
     data.variants = subject.variants;
     return data;
 }

@@ -4,6 +4,8 @@
 #include "castability/analysis.h"
 #include "design/design.h"
 #include "mold/mold.h"
+#include "report/mold_defaults.h"
+#include "report/phrases.h"
 
 #include <array>
 #include <cstddef>
@@ -72,13 +74,6 @@ struct ReportCheck {
     bool holds = false;
 };
 
-/// A value that nobody chose, with where it comes from.
-struct ReportDefault {
-    std::string name;
-    std::string value;
-    std::string source;
-};
-
 /// Everything a report prints, as text and numbers, in the order of its pages; HTML and PDF lay out the same.
 struct ReportData {
     std::string partName;
@@ -107,7 +102,8 @@ struct ReportData {
     std::optional<ReportTable> variants; ///< on a page of its own
 };
 
-[[nodiscard]] ReportData reportData(const ReportSubject& subject);
+/// The report of a subject, in the language of the phrases.
+[[nodiscard]] ReportData reportData(const ReportSubject& subject, const Phrases& say = {});
 
 /// Areas of the faces of a placed cast (plane z = 0) per 5° of draft against their own half's direction.
 [[nodiscard]] std::array<DraftBars, 2> draftBars(const IndexedMesh& placedCast, const Directions& directions);

@@ -2,16 +2,19 @@
 // The picture program and the command `report`, by running the real programs without a display.
 #include "castability/certificate.h"
 #include "cli/run_program.h"
+#include "language/spoken_language.h"
 #include "project/edits.h"
 #include "project/project_file.h"
 #include "project/variants.h"
 #include "render/job.h"
 #include "render/pictures.h"
+#include "render/report_text.h"
 #include "scene/offscreen/picture.h"
 #include "support/casts.h"
 #include "support/folders.h"
 #include "support/solids.h"
 
+#include <QCoreApplication>
 #include <QImage>
 
 #include <gtest/gtest.h>
@@ -73,6 +76,19 @@ TEST_F(Report, IsAPdfOfTwoPagesWithPictures) {
     EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
     EXPECT_NE(pdf.find("/Count 2"), std::string::npos);
     EXPECT_NE(pdf.find("/Subtype /Image"), std::string::npos);
+}
+
+TEST_F(Report, ComesInAnotherLanguageWhereAsked) {
+    const auto pageText = [&](const char* language) {
+        const test::Run run = test::runProgram(
+            {"report", in("ball.moldwright"), "--out", in("ball.pdf"), "--language", language});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return bytesOf(in("ball.pdf"));
+    };
+    EXPECT_NE(pageText("en").size(), pageText("de").size());
+    EXPECT_EQ(test::runProgram({"report", in("ball.moldwright"), "--out", in("x.pdf"), "--language", "xx"})
+                  .exitCode,
+              2);
 }
 
 TEST_F(Report, OfSeveralVariantsHasAPageThatComparesThem) {
@@ -172,6 +188,23 @@ TEST(Job, ComesBackFromItsText) {
     EXPECT_EQ(back->task, job.task);
     EXPECT_EQ(back->source, job.source);
     EXPECT_EQ(back->width, 640);
+    render::Job german = job;
+    german.language = "de";
+    EXPECT_EQ(render::readJob(render::jobText(german))->language, "de");
     EXPECT_FALSE(render::readJob("{}").has_value());
     EXPECT_FALSE(render::readJob(R"({"task": "dance", "project": "a", "out": "b"})").has_value());
+}
+
+TEST(ReportText, IsInTheLanguageThatIsSpoken) {
+    int count = 1;
+    char name[] = "render_test";
+    char* arguments[] = {name, nullptr};
+    const QCoreApplication application(count, arguments);
+    EXPECT_EQ(render::ReportText::tr("Open items"), QStringLiteral("Open items"));
+    {
+        const SpokenLanguage german(QLocale(QStringLiteral("de")));
+        EXPECT_EQ(render::ReportText::tr("Open items"), QStringLiteral("Offene Punkte"));
+    }
+    const SpokenLanguage none(QLocale::c());
+    EXPECT_EQ(render::ReportText::tr("Open items"), QStringLiteral("Open items"));
 }

@@ -161,7 +161,7 @@ TEST(ReportData, ListsFeaturesByNameWithTheirSizes) {
     const auto keys = std::ranges::find(rows, "Key", [](const auto& row) { return row.front(); });
     ASSERT_NE(keys, rows.end());
     EXPECT_EQ((*keys)[1], "4");
-    EXPECT_EQ((*keys)[2], "⌀ 6 to 7 mm, height 3.5 mm, clearance 0.3 mm, lean 5°");
+    EXPECT_EQ((*keys)[2], "⌀ 6 – 7 mm, height 3.5 mm, clearance 0.3 mm, lean 5°");
     const auto isListed = [&](const char* name) {
         return std::ranges::find(data.featureDefaults, name, &ReportDefault::name) !=
                data.featureDefaults.end();
@@ -180,4 +180,18 @@ TEST(ReportData, TellsWhatTheBuilderNoted) {
     subject.mold = std::make_shared<const Mold>(mold);
     EXPECT_EQ(reportData(subject).notes,
               (std::vector<std::string>{"The ways are not equally long.", "Key: Its walls lean."}));
+}
+
+TEST(ReportData, SpeaksTheReadersLanguage) {
+    const Phrases loud([](std::string english) {
+        std::ranges::transform(english, english.begin(),
+                               [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+        return english;
+    });
+    const ReportData data = reportData(subjectWith(frusta(20, 10, 5, 3, 0.1)), loud);
+    EXPECT_EQ(data.verdict, "CASTABLE. THE MOLD OPENS.");
+    EXPECT_EQ(valueOf(data.numbers, "CLAMP FORCE, 4 BAR × 1.1"), "0.09 kN") << "values stay as they are";
+    EXPECT_EQ(valueOf(data.numbers, "SMALLEST STEEL, CAVITY TO OUTSIDE"), "5.00 mm");
+    for (const ReportCheck& check : data.checks)
+        EXPECT_EQ(check.text.find("the"), std::string::npos) << check.text;
 }
