@@ -18,6 +18,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <tuple>
 #include <vector>
 
 using namespace moldwright;
@@ -32,17 +33,36 @@ std::string textOf(const std::filesystem::path& file) {
     return text.str();
 }
 
-std::set<std::string> contextsOfTheCore() {
-    std::set<std::string> contexts;
-    const std::regex marked(R"re(MW_TEXT\(\s*"([^"]+)")re");
+/// A text marked by MW_TEXT.
+struct Sentence {
+    std::string context;
+    std::string text;
+    bool operator<(const Sentence& other) const {
+        return std::tie(context, text) < std::tie(other.context, other.text);
+    }
+};
+
+/// The texts of string literals that stand one after the other.
+std::string joined(const std::string& literals) {
+    static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re");
+    std::string text;
+    for (std::sregex_iterator it(literals.begin(), literals.end(), literal), end; it != end; ++it)
+        text += (*it)[1];
+    text = std::regex_replace(text, std::regex(R"(\\n)"), "\n");
+    return std::regex_replace(text, std::regex(R"(\\(["\\]))"), "$1");
+}
+
+std::set<Sentence> sentencesOfTheCore() {
+    std::set<Sentence> sentences;
+    const std::regex marked(R"re(MW_TEXT\(\s*"([^"]+)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\))re");
     for (const auto& entry : std::filesystem::recursive_directory_iterator(test::sourceFolder() / "core")) {
         if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h")
             continue;
         const std::string text = textOf(entry.path());
         for (std::sregex_iterator it(text.begin(), text.end(), marked), end; it != end; ++it)
-            contexts.insert((*it)[1]);
+            sentences.insert({(*it)[1], joined((*it)[2])});
     }
-    return contexts;
+    return sentences;
 }
 
 /// The places for values in a text, sorted: %1 and {0}.
@@ -74,10 +94,9 @@ private:
 } // namespace
 
 TEST(Translation, TheWindowKnowsEveryContextOfTheCoresSentences) {
-    const std::set<std::string> contexts = contextsOfTheCore();
-    EXPECT_GE(contexts.size(), 5U) << "the sources were not found";
-    for (const std::string& context : contexts)
-        EXPECT_TRUE(sentenceContexts().contains(QString::fromStdString(context))) << context;
+    for (const Sentence& sentence : sentencesOfTheCore())
+        EXPECT_TRUE(sentenceContexts().contains(QString::fromStdString(sentence.context)))
+            << sentence.context;
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, Translated, testing::Values("moldwright_de", "moldwright_zh_CN"));
@@ -105,6 +124,14 @@ TEST_P(Translated, NothingIsLeftUnfinishedAndNoPlaceIsLost) {
     }
     EXPECT_FALSE(xml.hasError());
     EXPECT_GT(messages, 400);
+}
+
+TEST_P(Translated, EverySentenceOfTheCoreHasItsWords) {
+    const std::set<Sentence> sentences = sentencesOfTheCore();
+    EXPECT_GT(sentences.size(), 300U) << "the sources were not found";
+    for (const Sentence& sentence : sentences)
+        EXPECT_TRUE(knows(sentence.context.c_str(), QByteArray::fromStdString(sentence.text)))
+            << sentence.context << ": " << sentence.text;
 }
 
 TEST_P(Translated, EveryCommandHasItsWords) {
