@@ -31,6 +31,7 @@ constexpr double kMuchLost = 0.25;   ///< missing shares, summed, from which fil
 constexpr double kBarelyLost = 0.05; ///< missing shares of a limb that is not worth filling
 constexpr double kLimbReach = 0.15;  ///< of the diagonal: how far a limb's tip may be from its undercut
 constexpr int kLimbRounds = 2;       ///< in which lost limbs are kept by filling
+constexpr double kStrainFair = 0.5;  ///< rms strain up to which no other plane is looked at
 constexpr double kHopeless = 1;      ///< missing shares, summed, that no finer stand-in brings back
 
 bool goodEnough(const DesignResult& result) {
@@ -80,6 +81,8 @@ struct Tries {
         return nearly;
     }
     [[nodiscard]] bool good() const { return best && goodEnough(*best); }
+    /// So good that no other plane need be looked at.
+    [[nodiscard]] bool fair() const { return good() && best->strain.rms <= kStrainFair; }
     [[nodiscard]] bool castable() const { return best && best->castable; }
     /// Castable, but only by giving up a limb or the form, or not castable at all.
     [[nodiscard]] bool wantsFilling() const {
@@ -135,7 +138,7 @@ std::optional<Filling> chosenFilling(const DesignRun& run) {
 Tries tryStates(const PinnedShape& part, MoldStates& states, DesignRun& run) {
     Tries tries;
     const double share = 0.7 / kPlanesTried;
-    for (std::size_t i = 0; i < kPlanesTried && !tries.good() && !run.stopped(); ++i) {
+    for (std::size_t i = 0; i < kPlanesTried && !tries.fair() && !run.stopped(); ++i) {
         if (tries.castable() && i >= kPlanesForLimbs)
             break;
         const std::optional<MoldState> state = states.next();
