@@ -3364,6 +3364,50 @@
         <source>The worker program {0} could not be started: {1}.</source>
         <translation>Das Arbeiterprogramm {0} ließ sich nicht starten: {1}.</translation>
     </message>
+    <message>
+        <source>The worker program was asked for nothing.</source>
+        <translation>Das Hilfsprogramm bekam keine Aufgabe.</translation>
+    </message>
+    <message>
+        <source>TetGen gave up on this surface (code {0}).</source>
+        <translation>TetGen gab bei dieser Oberfläche auf (Code {0}).</translation>
+    </message>
+    <message>
+        <source>The worker program reached its memory limit on this mesh.</source>
+        <translation>Das Hilfsprogramm erreichte bei diesem Netz seine Speichergrenze.</translation>
+    </message>
+    <message>
+        <source>CGAL gave up on this surface.</source>
+        <translation>CGAL gab bei dieser Oberfläche auf.</translation>
+    </message>
+    <message>
+        <source>{0} faces were removed: repeated, without area, or loose scraps.</source>
+        <translation>{0} Flächen wurden entfernt: doppelte, solche ohne Inhalt oder lose Reste.</translation>
+    </message>
+    <message>
+        <source>{0} holes were filled with {1} faces; the largest is {2} wide.</source>
+        <translation>{0} Löcher wurden mit {1} Flächen gefüllt; das größte ist {2} weit.</translation>
+    </message>
+    <message>
+        <source>The surface was made anew about {0} places where faces crossed each other.</source>
+        <translation>Die Oberfläche wurde um {0} Stellen neu gemacht, an denen Flächen einander durchdrangen.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be mended: too much of its surface would be lost.</source>
+        <translation>{0} lässt sich nicht ausbessern: zu viel der Oberfläche ginge verloren.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be repaired: its surface encloses nothing.</source>
+        <translation>{0} lässt sich nicht reparieren: die Oberfläche umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>The faults were too many to mend: a closed skin was made about the surface, no farther than {0} from it. Gaps narrower than {1} are bridged, sharp edges rounded.</source>
+        <translation>Es waren zu viele Fehler zum Ausbessern: Um die Oberfläche wurde eine geschlossene Haut gelegt, höchstens {0} von ihr entfernt. Spalte unter {1} sind überbrückt, scharfe Kanten gerundet.</translation>
+    </message>
+    <message>
+        <source>{0} closed surfaces inside others were removed: they are solid now.</source>
+        <translation>{0} geschlossene Flächen in anderen wurden entfernt: Dort ist jetzt Vollmaterial.</translation>
+    </message>
 </context>
 <context>
     <name>fill</name>

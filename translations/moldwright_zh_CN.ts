@@ -3364,6 +3364,50 @@
         <source>The worker program {0} could not be started: {1}.</source>
         <translation>无法启动工作程序 {0}：{1}。</translation>
     </message>
+    <message>
+        <source>The worker program was asked for nothing.</source>
+        <translation>辅助程序没有收到任务。</translation>
+    </message>
+    <message>
+        <source>TetGen gave up on this surface (code {0}).</source>
+        <translation>TetGen 放弃了此表面（代码 {0}）。</translation>
+    </message>
+    <message>
+        <source>The worker program reached its memory limit on this mesh.</source>
+        <translation>辅助程序处理此网格时达到了内存上限。</translation>
+    </message>
+    <message>
+        <source>CGAL gave up on this surface.</source>
+        <translation>CGAL 放弃了此表面。</translation>
+    </message>
+    <message>
+        <source>{0} faces were removed: repeated, without area, or loose scraps.</source>
+        <translation>删除了 {0} 个面：重复的、没有面积的或零散的碎片。</translation>
+    </message>
+    <message>
+        <source>{0} holes were filled with {1} faces; the largest is {2} wide.</source>
+        <translation>用 {1} 个面填补了 {0} 个孔；最大的宽 {2}。</translation>
+    </message>
+    <message>
+        <source>The surface was made anew about {0} places where faces crossed each other.</source>
+        <translation>在面相互交叉的 {0} 处周围重新生成了表面。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be mended: too much of its surface would be lost.</source>
+        <translation>无法修补 {0}：会丢失过多的表面。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be repaired: its surface encloses nothing.</source>
+        <translation>无法修复 {0}：其表面没有围住任何体积。</translation>
+    </message>
+    <message>
+        <source>The faults were too many to mend: a closed skin was made about the surface, no farther than {0} from it. Gaps narrower than {1} are bridged, sharp edges rounded.</source>
+        <translation>缺陷过多，无法逐个修补：在表面外生成了一层封闭的外皮，距表面不超过 {0}。窄于 {1} 的缝隙被桥接，锐边被倒圆。</translation>
+    </message>
+    <message>
+        <source>{0} closed surfaces inside others were removed: they are solid now.</source>
+        <translation>删除了 {0} 个位于其他表面内的封闭表面：该处现为实心。</translation>
+    </message>
 </context>
 <context>
     <name>fill</name>

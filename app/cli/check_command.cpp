@@ -3,6 +3,7 @@
 
 #include "cli/load_part.h"
 #include "exchange/mesh_file.h"
+#include "exchange/repair_mesh.h"
 #include "mesh/measures.h"
 
 #include <CLI/CLI.hpp>
@@ -66,11 +67,33 @@ void describe(const Examination& part, const std::string& name, std::ostream& ou
     out << ".\n";
 }
 
-Result<ExitCode> check(const CheckOptions& options, const Session& session) {
-    if (options.repair || !options.output.empty())
+/// What a mesh is after repair, with what was done to it.
+Result<Examination> repaired(const IndexedMesh& mesh, const std::string& name, const CheckOptions& options,
+                             const Session& session) {
+    const std::optional<MeshFormat> format = formatFor(options.output);
+    if (!format)
         return failure(ErrorCode::Usage,
-                       MW_TEXT("cli", "Repair is not offered yet. Without --repair and --out, check "
-                                      "says what is wrong and where."));
+                       MW_TEXT("cli", "--out takes a name that ends in .stl, .ply, .obj or .off."));
+    Result<RepairedMesh> done = repairMesh(mesh, name, session.task().part(0.3, 0.9));
+    if (!done)
+        return std::unexpected(done.error());
+    if (*format == MeshFormat::StlBinary)
+        done->mesh = roundToFloat(done->mesh);
+    // Of the coordinates as they are written.
+    Examination part = examine(done->mesh, name);
+    if (!part.faults.empty())
+        return std::unexpected(part.faults.front());
+    part.repairs = std::move(done->repairs);
+    if (const Result<void> written = writeMesh(options.output, part.mesh, *format); !written)
+        return std::unexpected(written.error());
+    return part;
+}
+
+Result<ExitCode> check(const CheckOptions& options, const Session& session) {
+    if (options.repair != !options.output.empty())
+        return failure(
+            ErrorCode::Usage,
+            MW_TEXT("cli", "--repair and --out belong together: the repaired mesh goes to --out."));
     session.task().progress(0, "Reading");
     const Result<ReadMesh> read = readMesh(options.input, session.task());
     if (!read) {
@@ -80,6 +103,15 @@ Result<ExitCode> check(const CheckOptions& options, const Session& session) {
     session.task().progress(0.3, "Checking");
     const std::string name = std::filesystem::path(options.input).filename().string();
     Examination part = examine(read->mesh, name);
+    if (options.repair) {
+        Result<Examination> better = repaired(read->mesh, name, options, session);
+        if (better)
+            part = *std::move(better);
+        else if (better.error().code != ErrorCode::BadInput && better.error().code != ErrorCode::Worker)
+            return std::unexpected(better.error());
+        else
+            part.faults.push_back(better.error());
+    }
     part.notes.insert(part.notes.begin(), read->notes.begin(), read->notes.end());
     session.task().progress(1, "Done");
     describe(part, name, session.out());
@@ -95,12 +127,15 @@ constexpr const char* manual =
     "named: equal points are welded, repeated faces and unused points dropped, faces turned outward.\n"
     "A usable mesh is closed and manifold, encloses a volume, does not cross itself, and has no closed\n"
     "surface inside another; all else is refused with what is wrong, how many and where.\n"
+    "With --repair faults are mended: faces and points that too many share are split, scraps dropped,\n"
+    "holes filled, faces made anew where they cross. Where that is not enough a closed skin is made\n"
+    "about the surface, and how far it may lie from it is said. What is written can be used.\n"
     "\n"
     "JSON: usable, vertices, faces, closed, manifold, oriented, self_intersections, components, genus,\n"
     "volume, bbox, repairs[], notes[], problems[]; of the mesh as mended, null where it has no meaning.\n"
     "\n"
     "Example:\n"
-    "  moldwright-cli check bunny.stl --json -";
+    "  moldwright-cli check scan.ply --repair --out scan-mended.ply";
 
 } // namespace
 
@@ -109,8 +144,8 @@ Command checkCommand() {
             [](CLI::App& app) {
                 auto options = std::make_shared<CheckOptions>();
                 app.add_option("IN", options->input, "Mesh file")->type_name("FILE")->required();
-                app.add_flag("--repair", options->repair, "Repair what can be repaired (not offered yet)");
-                app.add_option("--out", options->output, "Where the repaired mesh goes (not offered yet)")
+                app.add_flag("--repair", options->repair, "Repair it, and write it to --out");
+                app.add_option("--out", options->output, "The repaired mesh: .stl, .ply, .obj or .off")
                     ->type_name("FILE");
                 return Action([options](const Session& session) { return check(*options, session); });
             }};

@@ -13,6 +13,12 @@ namespace moldwright {
 /// Request: switches, V, F. Answer: V, T, as TetGen gives them.
 [[nodiscard]] Result<std::string> tetrahedralizeJob(const std::string& request);
 
+/// Request: V, F. Answer: V, F, and the counts of MendedSurface.
+[[nodiscard]] Result<std::string> mendJob(const std::string& request);
+
+/// Request: V, F, alpha and offset. Answer: V, F of the skin.
+[[nodiscard]] Result<std::string> wrapJob(const std::string& request);
+
 /// Request: path and name of a mesh file. Answer: V, F, the number of notes and the notes.
 [[nodiscard]] Result<std::string> readMeshJob(const std::string& request);
 

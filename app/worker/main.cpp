@@ -23,6 +23,8 @@ using Job = Result<std::string> (*)(const std::string&);
 const std::map<std::string, Job> jobs = {
     {nameOf(WorkerJob::Tetrahedralize), tetrahedralizeJob},
     {nameOf(WorkerJob::ReadMesh), readMeshJob},
+    {nameOf(WorkerJob::Mend), mendJob},
+    {nameOf(WorkerJob::Wrap), wrapJob},
 };
 
 std::string readAll(int file) {

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace moldwright {
@@ -25,14 +26,17 @@ struct ReadMesh {
 /// names the file, what is wrong, and where (line or byte); Cancelled; Worker.
 [[nodiscard]] Result<ReadMesh> readMesh(const std::filesystem::path& file, const Task& task = {});
 
+/// The format that a file to be written has by the ending of its name; none where it has another.
+[[nodiscard]] std::optional<MeshFormat> formatFor(const std::filesystem::path& file);
+
 /// Writes atomically (temporary file, fsync, rename, fsync of the folder). PLY holds doubles (binary, little
 /// endian); binary STL holds floats: what is certified for it must be rounded by roundToFloat() first.
 /// Errors: WriteFailed.
 [[nodiscard]] Result<void> writeMesh(const std::filesystem::path& file, const IndexedMesh& mesh,
                                      MeshFormat format);
 
-/// Writes a PLY as writeMesh() does, with one more property of each face: `uchar side`, the side of the parting
-/// plane that it belongs to. Errors: WriteFailed.
+/// Writes a PLY as writeMesh() does, with one more property of each face: `uchar side`, the side of the
+/// parting plane that it belongs to. Errors: WriteFailed.
 [[nodiscard]] Result<void> writeSidedMesh(const std::filesystem::path& file, const IndexedMesh& mesh,
                                           const std::vector<std::uint8_t>& sides);
 

@@ -156,7 +156,8 @@ std::unexpected<Error> causeOfDeath(int status, const WorkerLimits& limits) {
 } // namespace
 
 const char* nameOf(WorkerJob job) {
-    return job == WorkerJob::Tetrahedralize ? "tetrahedralize" : "read-mesh";
+    constexpr std::array<const char*, 4> names = {"tetrahedralize", "read-mesh", "mend", "wrap"};
+    return names.at(static_cast<std::size_t>(job));
 }
 
 std::filesystem::path workerProgram() {

@@ -17,7 +17,7 @@ struct WorkerLimits {
 };
 
 /// The jobs of the worker program: its first argument.
-enum class WorkerJob { Tetrahedralize, ReadMesh };
+enum class WorkerJob { Tetrahedralize, ReadMesh, Mend, Wrap };
 [[nodiscard]] const char* nameOf(WorkerJob job);
 
 /// Where the worker program lies: environment MOLDWRIGHT_WORKER, else beside the running program.

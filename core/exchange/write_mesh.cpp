@@ -3,8 +3,10 @@
 
 #include "mesh/measures.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 
@@ -101,9 +103,8 @@ std::string ply(const IndexedMesh& mesh, const std::vector<std::uint8_t>& sides)
     std::string out = "ply\nformat binary_little_endian 1.0\ncomment Moldwright\nelement vertex " +
                       std::to_string(mesh.vertexCount()) +
                       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                      std::to_string(mesh.faceCount()) +
-                      "\nproperty list uchar int vertex_indices\n" + (sides.empty() ? "" : "property uchar side\n") +
-                      "end_header\n";
+                      std::to_string(mesh.faceCount()) + "\nproperty list uchar int vertex_indices\n" +
+                      (sides.empty() ? "" : "property uchar side\n") + "end_header\n";
     out.append(reinterpret_cast<const char*>(mesh.V.data()),
                static_cast<std::size_t>(mesh.V.size()) * sizeof(double));
     for (int f = 0; f < mesh.faceCount(); ++f) {
@@ -132,6 +133,21 @@ std::string bytesOf(const IndexedMesh& mesh, MeshFormat format) {
 }
 
 } // namespace
+
+std::optional<MeshFormat> formatFor(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending == ".stl")
+        return MeshFormat::StlBinary;
+    if (ending == ".ply")
+        return MeshFormat::Ply;
+    if (ending == ".obj")
+        return MeshFormat::Obj;
+    if (ending == ".off")
+        return MeshFormat::Off;
+    return std::nullopt;
+}
 
 Result<void> writeMesh(const std::filesystem::path& file, const IndexedMesh& mesh, MeshFormat format) {
     return writeFileAtomically(file, bytesOf(mesh, format));

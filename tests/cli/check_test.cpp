@@ -115,9 +115,32 @@ TEST_F(Check, WrongUsage) {
     EXPECT_EQ(test::runProgram({"check"}).exitCode, 2);
     EXPECT_EQ(test::runProgram({"check", file, "--threads", "-1"}).exitCode, 2);
     EXPECT_EQ(test::runProgram({"check", file, "--time-limit", "soon"}).exitCode, 2);
-    const test::Run repair = test::runProgram({"check", file, "--repair", "--out", in("b.ply")});
-    EXPECT_EQ(repair.exitCode, 2);
-    EXPECT_NE(repair.err.find("Repair is not offered yet"), std::string::npos);
+    for (const std::vector<std::string>& half :
+         {std::vector<std::string>{"--repair"}, std::vector<std::string>{"--out", in("b.ply")},
+          std::vector<std::string>{"--repair", "--out", in("b.step")}}) {
+        std::vector<std::string> words{"check", file};
+        words.insert(words.end(), half.begin(), half.end());
+        EXPECT_EQ(test::runProgram(words).exitCode, 2);
+    }
+}
+
+TEST_F(Check, RepairsWhatCanBeRepaired) {
+    const std::string broken = write("broken.ply", withHole(m_ring));
+    for (const char* name : {"mended.stl", "mended.obj"}) {
+        const test::Run run =
+            test::runProgram({"check", broken, "--repair", "--out", in(name), "--json", "-"});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        const Json json = Json::parse(run.out);
+        EXPECT_EQ(keysOf(json), keys);
+        EXPECT_EQ(json["usable"], true);
+        EXPECT_NE(json["repairs"][0].get<std::string>().find("1 holes were filled"), std::string::npos);
+        EXPECT_EQ(test::runProgram({"check", in(name)}).exitCode, 0);
+    }
+    const std::string sheet = write("sheet.ply", {m_ring.V, m_ring.F.topRows(8)});
+    const test::Run no = test::runProgram({"check", sheet, "--repair", "--out", in("no.ply"), "--json", "-"});
+    EXPECT_EQ(no.exitCode, 3);
+    EXPECT_EQ(Json::parse(no.out)["usable"], false);
+    EXPECT_FALSE(std::filesystem::exists(in("no.ply")));
 }
 
 TEST_F(Check, HelpAndVersion) {
