@@ -28,6 +28,7 @@ private:
     void declareChannels(CLI::App& app);
     void declareRegistration(CLI::App& app);
     void declareHoles(CLI::App& app);
+    void declareOverflows(CLI::App& app);
     [[nodiscard]] Result<void> applyLayout(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyCavityPlaces(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyCavities(LayoutSettings& layout) const;
@@ -38,6 +39,7 @@ private:
     void applyBlock(MoldSettings& settings) const;
     void applyRegistration(MoldSettings& settings) const;
     void applyHoles(MoldSettings& settings) const;
+    void applyOverflows(OverflowSettings& overflows) const;
 
     std::optional<double> wall, side, floor, ceiling, step, outerDraft, pressure, leastSteel, density,
         blockDensity;
@@ -56,6 +58,8 @@ private:
     std::optional<double> keyDiameter, keyHeight, keyClearance, keyLean, slitDepth, slitWidth, slitHeight;
     std::optional<int> bolts, ejectors, ejectorSide;
     std::optional<double> boltDiameter, boltWall, boltClear, ejectorDiameter;
+    std::optional<int> overflows;
+    std::optional<double> overflowDiameter, overflowChannel, overflowLength;
 };
 
 } // namespace moldwright::cli

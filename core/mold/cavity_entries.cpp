@@ -46,9 +46,11 @@ public:
                 return std::unexpected(found.error());
             drains = *std::move(found);
         }
-        if (m_settings.vents.on)
+        if (m_settings.vents.on) {
             if (Result<void> done = findTraps(cavity, drains); !done)
                 return std::unexpected(done.error());
+        } else if (m_settings.overflows.count > 0)
+            m_found.unvented = trapsOf(cavity.cast, drains, m_plan.up, m_settings.vents.smallestTrap);
         if (m_settings.ejectors.count > 0)
             if (Result<void> done = findPins(kind); !done)
                 return std::unexpected(done.error());

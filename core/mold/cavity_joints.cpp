@@ -4,6 +4,7 @@
 #include "features/joined_channel.h"
 #include "mesh/measures.h"
 #include "mold/free_place.h"
+#include "mold/overflows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,9 @@ public:
         m_result = {};
         for (const Gate& gate : m_features.gates)
             if (Result<void> done = addGate(gate); !done)
+                return std::unexpected(done.error());
+        for (const Overflow& overflow : m_plan.overflows)
+            if (Result<void> done = addOverflow(overflow); !done)
                 return std::unexpected(done.error());
         for (const VentedTrap& trap : m_features.traps)
             if (Result<void> done = vent(trap); !done)
@@ -119,6 +123,25 @@ private:
             return std::unexpected(prism.error());
         stub.prism = *std::move(prism);
         m_result.stubs.push_back(std::move(stub));
+        return {};
+    }
+
+    Result<void> addOverflow(const Overflow& overflow) {
+        Result<JoinedOverflow> bodies =
+            overflowBodies(overflow, m_plan.settings->overflows, m_plan.rules, m_nudge);
+        if (!bodies)
+            return std::unexpected(bodies.error());
+        for (const Stub& stub : m_result.stubs)
+            if (planDistance(bodies->channel.base, stub.prism.base) == 0) {
+                Error error;
+                error.code = ErrorCode::Impossible;
+                error.message = {MW_TEXT("Mold", "Overflow {0} would stand where the cavity is filled. Move "
+                                                 "it, or have it placed automatically."),
+                                 {std::to_string(overflow.number + 1)}};
+                error.places.emplace_back(overflow.tip.x(), overflow.tip.y(), 0);
+                return std::unexpected(std::move(error));
+            }
+        m_result.overflows.push_back(*std::move(bodies));
         return {};
     }
 
@@ -201,6 +224,10 @@ private:
         return std::all_of(m_result.stubs.begin(), m_result.stubs.end(),
                            [&](const Stub& stub) { return clear(stub.prism.base); }) &&
                std::all_of(m_plan.others.begin(), m_plan.others.end(), clear) &&
+               std::all_of(m_result.overflows.begin(), m_result.overflows.end(),
+                           [&](const JoinedOverflow& other) {
+                               return clear(other.channel.base) && clear(other.well.base);
+                           }) &&
                std::all_of(m_result.vents.begin(), m_result.vents.end(),
                            [&](const CavityVent& other) { return clear(other.body.base); }) &&
                std::all_of(m_features.bores.begin(), m_features.bores.end(), [&](const HalfBore& bore) {
@@ -244,11 +271,15 @@ private:
     bool joinAll() {
         JointRequest request{m_plan.rules.directions, m_plan.draftDegrees, m_plan.rules.grid, {}};
         std::vector<IndexedMesh> bodies;
-        for (const Stub& stub : m_result.stubs) {
-            bodies.push_back(*prismSolid(stub.prism));
-            const std::vector<Vector3d> points = openingPoints(stub.prism);
+        const auto addOpen = [&](const DraftedPrism& prism) {
+            bodies.push_back(*prismSolid(prism));
+            const std::vector<Vector3d> points = openingPoints(prism);
             request.openings.insert(request.openings.end(), points.begin(), points.end());
-        }
+        };
+        for (const Stub& stub : m_result.stubs)
+            addOpen(stub.prism);
+        for (const JoinedOverflow& overflow : m_result.overflows)
+            addOpen(overflow.channel);
         for (const CavityVent& vent : m_result.vents)
             bodies.push_back(vent.solid());
         // They keep clear of each other: one joint for all.

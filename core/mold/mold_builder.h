@@ -31,6 +31,8 @@ public:
     Result<void> layOut();
     /// Where cavities are filled, vented, and pushed out.
     Result<void> findEntries();
+    /// Wells beside the cavities.
+    Result<void> findOverflows();
     /// Block, keys and slits; the block grows until all have room.
     Result<void> fitBlock();
     /// What will cross a cavity's wall, and the runners.
@@ -116,12 +118,17 @@ private:
     void listStubs(const CavityCopy& copy);
     void listChannels();
     void comparePaths();
+    void listOverflows(const CavityCopy& copy);
     void listRegistration();
     void listBores(const CavityCopy& copy);
     void listBolts();
     void addPlaceable(MoldFeature feature, const PlacedFeature& stands, PlanShape outline,
                       const Eigen::Vector2d& origin = Eigen::Vector2d::Zero());
     [[nodiscard]] std::vector<Hollow> hollows() const;
+    [[nodiscard]] std::vector<PlanShape> besideOverflows(std::size_t kind) const;
+    [[nodiscard]] std::vector<PlanShape> overflowShapes(const CavityCopy& copy) const;
+    void addOverflows(std::vector<Hollow>& all) const;
+    Result<void> addOverflowSurfaces(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids) const;
     [[nodiscard]] std::vector<Hollow> attachedTo(std::size_t kind) const;
     [[nodiscard]] SharedMesh sprues() const;
     void compareWithMachines();
@@ -134,8 +141,9 @@ private:
     IndexedMesh m_cast; ///< placed
     SideLabels m_labels;
     std::shared_ptr<const CavityShapes> m_shapes;
-    Entries m_entries;                   ///< by kind
-    std::shared_ptr<SteelTrees> m_trees; ///< shared by copies of this builder
+    Entries m_entries;                              ///< by kind
+    std::vector<std::vector<Overflow>> m_overflows; ///< by kind
+    std::shared_ptr<SteelTrees> m_trees;            ///< shared by copies of this builder
     Layout m_layout;
     Block m_block;
     std::vector<Eigen::Vector2d> m_boltPlaces;

@@ -103,6 +103,17 @@ struct VentSettings {
     bool operator==(const VentSettings&) const = default;
 };
 
+/// Closed wells in the parting plane beside the cavity, each joined to it by a thin channel: they take the
+/// material that is cold or full of air by the time it gets there.
+struct OverflowSettings {
+    int count = 0;        ///< for each solid of each cavity
+    double diameter = 6;  ///< mm, of the well in the parting plane
+    double channel = 1.5; ///< mm, the channel's width there; 0.3 of the well's at most
+    double length = 2.5;  ///< mm between the cavity and the well
+
+    bool operator==(const OverflowSettings&) const = default;
+};
+
 /// Frusta on half 2 in sockets of half 1. The first is larger, so that the halves fit one way only.
 struct KeySettings {
     int count = 0;
@@ -185,6 +196,7 @@ struct MoldSettings {
     ShrinkSettings shrink;
     SpoutSettings spout;
     VentSettings vents;
+    OverflowSettings overflows;
     KeySettings keys;
     SlitSettings slits;
     BoltSettings bolts;

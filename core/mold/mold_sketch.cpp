@@ -66,8 +66,8 @@ Result<MoldSketch> MoldSketcher::sketch(const PlacedFeatures& placed) {
         m_state->entries = builder.entries();
         m_state->entriesPlaced = ofEntries;
     }
-    for (Result<void> (MoldBuilder::*work)() :
-         {&MoldBuilder::fitBlock, &MoldBuilder::planJoints, &MoldBuilder::measureSteel})
+    for (Result<void> (MoldBuilder::*work)() : {&MoldBuilder::findOverflows, &MoldBuilder::fitBlock,
+                                                &MoldBuilder::planJoints, &MoldBuilder::measureSteel})
         if (done)
             done = (builder.*work)();
     if (!done)
@@ -86,7 +86,7 @@ Result<MoldSketch> MoldSketcher::sketch(const PlacedFeatures& placed) {
 }
 
 const char* steelName(Placeable kind) {
-    constexpr std::array names = {"Spout", "Vent", "Key", "Slit", "Bolt hole", "Ejector hole"};
+    constexpr std::array names = {"Spout", "Vent", "Key", "Slit", "Bolt hole", "Ejector hole", "Overflow"};
     return names.at(static_cast<std::size_t>(kind));
 }
 

@@ -58,6 +58,10 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"vents", "diameter"}, mold.vents.diameter);
     at.value({"vents", "depth"}, mold.vents.depth);
     at.value({"vents", "smallest_trap"}, mold.vents.smallestTrap);
+    at.value({"overflows", "count"}, mold.overflows.count);
+    at.value({"overflows", "diameter"}, mold.overflows.diameter);
+    at.value({"overflows", "channel"}, mold.overflows.channel);
+    at.value({"overflows", "length"}, mold.overflows.length);
     at.value({"keys", "count"}, mold.keys.count);
     at.value({"keys", "diameter"}, mold.keys.diameter);
     at.value({"keys", "height"}, mold.keys.height);
