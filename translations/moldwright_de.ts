@@ -1570,6 +1570,10 @@
         <source>The channel of overflow {0} has no room in the wall of its well. Make the channel narrower or the well wider.</source>
         <translation>Der Kanal von Überlauf {0} hat in der Wand seiner Mulde keinen Platz. Machen Sie den Kanal schmaler oder die Mulde breiter.</translation>
     </message>
+<message>
+        <source>A mold cannot lean by {0}° while it is filled: 0 to {1}° are possible.</source>
+        <translation>Eine Form kann beim Füllen nicht um {0}° geneigt sein: 0 bis {1}° sind möglich.</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -2023,6 +2027,34 @@
 <message>
         <source>From the cavity to the well.</source>
         <translation>Von der Kavität zur Mulde.</translation>
+    </message>
+<message>
+        <source>Tilted</source>
+        <translation>Geneigt</translation>
+    </message>
+<message>
+        <source>While it is filled: by number, or as the least air stays. What that would save is told when the mold is built.</source>
+        <translation>Beim Füllen: nach Zahl, oder so, dass am wenigsten Luft bleibt. Was das sparen würde, wird beim Bauen der Form gesagt.</translation>
+    </message>
+<message>
+        <source>By number</source>
+        <translation>Nach Zahl</translation>
+    </message>
+<message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+<message>
+        <source>How far the mold's top leans while it is filled, where that is by number.</source>
+        <translation>Wie weit sich die Oberseite der Form beim Füllen neigt, wenn das nach Zahl geht.</translation>
+    </message>
+<message>
+        <source>Towards</source>
+        <translation>Nach</translation>
+    </message>
+<message>
+        <source>0 to the right, 90 to half 1, or to the back of a mold that lies flat.</source>
+        <translation>0 nach rechts, 90 zu Hälfte 1, oder bei einer liegenden Form nach hinten.</translation>
     </message>
 </context>
 <context>

@@ -1570,6 +1570,10 @@
         <source>The channel of overflow {0} has no room in the wall of its well. Make the channel narrower or the well wider.</source>
         <translation>溢料槽 {0} 的通道在槽壁上没有空间。请减小通道宽度或增大槽的宽度。</translation>
     </message>
+<message>
+        <source>A mold cannot lean by {0}° while it is filled: 0 to {1}° are possible.</source>
+        <translation>浇注时模具不能倾斜 {0}°：可以为 0 到 {1}°。</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -2023,6 +2027,34 @@
 <message>
         <source>From the cavity to the well.</source>
         <translation>从型腔到槽。</translation>
+    </message>
+<message>
+        <source>Tilted</source>
+        <translation>倾斜</translation>
+    </message>
+<message>
+        <source>While it is filled: by number, or as the least air stays. What that would save is told when the mold is built.</source>
+        <translation>浇注时：按数值，或使残留空气最少。构建模具时会告知可减少多少。</translation>
+    </message>
+<message>
+        <source>By number</source>
+        <translation>按数值</translation>
+    </message>
+<message>
+        <source>Tilt</source>
+        <translation>倾角</translation>
+    </message>
+<message>
+        <source>How far the mold's top leans while it is filled, where that is by number.</source>
+        <translation>按数值时，浇注时模具顶部倾斜的角度。</translation>
+    </message>
+<message>
+        <source>Towards</source>
+        <translation>朝向</translation>
+    </message>
+<message>
+        <source>0 to the right, 90 to half 1, or to the back of a mold that lies flat.</source>
+        <translation>0 朝右，90 朝半模 1；平放的模具则朝后。</translation>
     </message>
 </context>
 <context>

@@ -47,7 +47,7 @@ void MoldOptions::declare(CLI::App& app) {
     declareChannels(app);
     declareRegistration(app);
     declareHoles(app);
-    declareOverflows(app);
+    declarePouring(app);
 }
 
 void MoldOptions::declareBlock(CLI::App& app) {
@@ -173,17 +173,6 @@ void MoldOptions::declareHoles(CLI::App& app) {
         ->check(CLI::Range(1, 2));
 }
 
-void MoldOptions::declareOverflows(CLI::App& app) {
-    app.add_option("--overflow", overflows,
-                   "Closed wells beside each solid of each cavity, for the material that arrives last")
-        ->type_name("N")
-        ->check(CLI::Range(0, 12));
-    length(app, "--overflow-diameter", overflowDiameter, "Of the wells in the parting plane");
-    length(app, "--overflow-channel", overflowChannel,
-           "Width of the channel that leads there; 0.3 of the well's at most");
-    length(app, "--overflow-length", overflowLength, "Of that channel, from the cavity to the well");
-}
-
 Result<MoldSettings> MoldOptions::afterPreset(MoldSettings settings) const {
     if (preset.empty())
         return settings;
@@ -205,7 +194,6 @@ Result<MoldSettings> MoldOptions::applied(MoldSettings given) const {
         return std::unexpected(done.error());
     applyRegistration(settings);
     applyHoles(settings);
-    applyOverflows(settings.overflows);
     if (Result<void> done = applyPlaces(settings.placed); !done)
         return std::unexpected(done.error());
     return settings;
@@ -330,7 +318,7 @@ Result<void> MoldOptions::applyChannels(MoldSettings& settings) const {
     take(settings.vents.diameter, ventDiameter);
     take(settings.vents.depth, ventDepth);
     take(settings.vents.smallestTrap, smallestTrap);
-    return {};
+    return applyPouring(settings);
 }
 
 Result<void> MoldOptions::applyPlaces(PlacedFeatures& placed) const {
@@ -353,13 +341,6 @@ void MoldOptions::applyRegistration(MoldSettings& settings) const {
     take(settings.slits.depth, slitDepth);
     take(settings.slits.width, slitWidth);
     take(settings.slits.height, slitHeight);
-}
-
-void MoldOptions::applyOverflows(OverflowSettings& settings) const {
-    take(settings.count, overflows);
-    take(settings.diameter, overflowDiameter);
-    take(settings.channel, overflowChannel);
-    take(settings.length, overflowLength);
 }
 
 void MoldOptions::applyHoles(MoldSettings& settings) const {

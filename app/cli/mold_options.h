@@ -28,18 +28,18 @@ private:
     void declareChannels(CLI::App& app);
     void declareRegistration(CLI::App& app);
     void declareHoles(CLI::App& app);
-    void declareOverflows(CLI::App& app);
+    void declarePouring(CLI::App& app);
     [[nodiscard]] Result<void> applyLayout(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyCavityPlaces(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyCavities(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyShrink(ShrinkSettings& shrink) const;
     [[nodiscard]] Result<void> applyPlaces(PlacedFeatures& placed) const;
     [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;
+    [[nodiscard]] Result<void> applyPouring(MoldSettings& settings) const;
     [[nodiscard]] Result<MoldSettings> afterPreset(MoldSettings settings) const;
     void applyBlock(MoldSettings& settings) const;
     void applyRegistration(MoldSettings& settings) const;
     void applyHoles(MoldSettings& settings) const;
-    void applyOverflows(OverflowSettings& overflows) const;
 
     std::optional<double> wall, side, floor, ceiling, step, outerDraft, pressure, leastSteel, density,
         blockDensity;
@@ -59,6 +59,8 @@ private:
     std::optional<int> bolts, ejectors, ejectorSide;
     std::optional<double> boltDiameter, boltWall, boltClear, ejectorDiameter;
     std::optional<int> overflows;
+    std::string pourTilt;
+    std::optional<double> pourTowards;
     std::optional<double> overflowDiameter, overflowChannel, overflowLength;
 };
 

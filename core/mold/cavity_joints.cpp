@@ -145,7 +145,9 @@ private:
         return {};
     }
 
-    [[nodiscard]] bool standing() const { return m_plan.up.z() == 0 && m_plan.ventsInPlane; }
+    [[nodiscard]] bool standing() const {
+        return m_plan.settings->spout.resting == Resting::Standing && m_plan.ventsInPlane;
+    }
 
     Result<void> vent(const VentedTrap& trap) {
         // In the plane it may leave some air only where a hand put it and there is no other way.
@@ -166,6 +168,9 @@ private:
         return std::unexpected(std::move(error));
     }
 
+    /// How high a place of the plane is while the mold is filled.
+    [[nodiscard]] double levelOf(const Vector2d& place) const { return place.dot(m_plan.up.head<2>()); }
+
     /// Where a vent in the plane begins: the trap's highest point of the parting line, or by hand the line's
     /// highest over the place.
     [[nodiscard]] std::optional<Vector2d> topInPlane(const VentedTrap& vented) const {
@@ -174,12 +179,12 @@ private:
             return topOver(m_kind.outlines, vented.top.x(), vented.trap.points);
         std::optional<Vector2d> best;
         for (const int v : vented.trap.points)
-            if (cast.V(v, 2) == 0 && (!best || cast.V(v, 1) > best->y()))
+            if (cast.V(v, 2) == 0 && (!best || levelOf(cast.V.row(v).head<2>()) > levelOf(*best)))
                 best = cast.V.row(v).head<2>().transpose();
         return best;
     }
 
-    /// Where a channel that begins at a place by hand has left the outline, which may slant there.
+    /// Where a channel has left the outline, which slants where a hand put it or the mold leans.
     [[nodiscard]] double exitInPlane(const Vector2d& tip, double width) const {
         constexpr double steepest = 1.5; // widths
         double exit = tip.y();
@@ -194,15 +199,14 @@ private:
         const std::optional<Vector2d> tip = topInPlane(vented);
         if (!tip)
             return false;
-        const double left = airAbove(m_kind.cast, Vector3d::UnitY(), vented.trap, tip->y());
+        const double left = airAbove(m_kind.cast, m_plan.up, vented.trap, levelOf(*tip));
         if (left > vents.smallestTrap && !withAir)
             return false;
         const double width = vents.diameter * (1 + 0.02 * m_nudge);
         const double axis = nudged(tip->x(), width);
         PlanShape shape =
             planRectangle({axis - width / 2, tip->y() - width}, {axis + width / 2, m_plan.line});
-        const double exit = vented.byHand ? exitInPlane(*tip, width) : tip->y();
-        if (!wayIsFree(shape, exit + 0.3) || !(vented.byHand || keepsClear(shape)))
+        if (!wayIsFree(shape, exitInPlane(*tip, width) + 0.3) || !(vented.byHand || keepsClear(shape)))
             return false;
         const double height = vents.depth > 0 ? vents.depth / sidesOfChannels() : heightOverWidth * width;
         if (!add(std::move(shape), height, {{}, "Vent", true, vented.number, *tip}))

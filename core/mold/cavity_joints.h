@@ -70,7 +70,7 @@ struct JoinedCavity {
 struct CavityFeatures {
     std::vector<Gate> gates;
     std::vector<VentedTrap> traps;
-    std::vector<AirTrap> unvented; ///< where overflows are asked for without vents
+    std::vector<AirTrap> unvented; ///< where they are asked for without vents
     std::vector<HalfBore> bores;   ///< their last section is left to the joint: the block's face
 };
 
@@ -80,7 +80,7 @@ struct JointPlan {
     ChannelRules rules;
     ChannelWidths widths;
     double draftDegrees = 1;                       ///< of the mold
-    Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< while it is filled: +y, or +z
+    Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< while it is filled; unit
     double line = 0;                  ///< at which stubs end, along the kind's inlet, its coordinates
     std::array<double, 2> slope{};    ///< of the wall that they end in
     std::vector<Overflow> overflows;  ///< of this kind

@@ -225,6 +225,7 @@ Result<void> MoldBuilder::findEntries() {
     plan.gate = m_widths.gate;
     plan.channelDraft = m_rules.draftDegrees;
     plan.up = up();
+    plan.tellsAir = m_tellsAir;
     if (spoutEach())
         for (std::size_t kind = 0; kind < kinds().size(); ++kind)
             plan.cavityAt.push_back(m_layout.copies[std::min(kind, m_layout.copies.size() - 1)].offset);

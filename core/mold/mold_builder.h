@@ -6,6 +6,7 @@
 #include "mold/cavity_joints.h"
 #include "mold/half.h"
 #include "mold/mold.h"
+#include "mold/pour_tilt.h"
 #include "mold/registration.h"
 
 #include <algorithm>
@@ -25,6 +26,8 @@ public:
     Result<void> place(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state);
     /// Kinds of cavities, and what of them does not depend on where features stand.
     Result<void> makeKinds();
+    /// How the mold leans while it is filled.
+    Result<void> findTilt();
     /// What stands by hand, if that is to be other than in the settings.
     Result<void> setPlaced(const PlacedFeatures& placed);
     /// The cavities' places, and the room that channels need.
@@ -35,6 +38,8 @@ public:
     Result<void> findOverflows();
     /// Block, keys and slits; the block grows until all have room.
     Result<void> fitBlock();
+    /// What air leaning saves, or would.
+    Result<void> tellOfTilt();
     /// What will cross a cavity's wall, and the runners.
     Result<void> planJoints() { return makeJoints(&plannedCavity); }
     /// The same, joined to the cavities.
@@ -76,8 +81,10 @@ private:
     [[nodiscard]] bool lying() const { return spout().on && spout().resting == Resting::Lying; }
     /// Up while the mold is filled.
     [[nodiscard]] Eigen::Vector3d up() const {
-        return lying() ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+        return upWhenLeaning(lying() ? Resting::Lying : Resting::Standing, m_tilt.degrees, m_tilt.towards);
     }
+    [[nodiscard]] Result<double> airWhenLeaning(const PourTilt& tilt) const;
+    [[nodiscard]] std::optional<LeaningMold> bestLean() const;
     [[nodiscard]] const SpoutSettings& spout() const { return m_mold.settings.spout; }
     [[nodiscard]] bool channels() const { return spout().on || m_mold.settings.vents.on; }
     [[nodiscard]] bool isByHand(Placeable kind, int number) const;
@@ -134,6 +141,8 @@ private:
     void compareWithMachines();
 
     Mold m_mold;
+    PourTilt m_tilt;
+    bool m_tellsAir = false; ///< traps are found even where nothing serves them
     double m_grid = 0;
     double m_farthest = 0; ///< mm from the middle at which a feature may stand
     ChannelRules m_rules;

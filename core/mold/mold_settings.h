@@ -78,6 +78,16 @@ enum class Resting {
     Lying     ///< flat, half 1 above: a spout through half 1 for each solid of each cavity
 };
 
+/// How the mold leans while it is filled, so that less air stays in it.
+struct PourTilt {
+    bool automatic = false; ///< as found best; the numbers are not asked
+    double degrees = 0;     ///< that its top leans
+    double towards = 0;     ///< degrees about its axis: 0 to the right (+x of the mold's frame), 90 where it
+                            ///< stands to half 1 (+z), where it lies to the back (+y)
+
+    bool operator==(const PourTilt&) const = default;
+};
+
 /// A spout in the parting plane with its funnel, and with several cavities the runners between them. Sections
 /// are drafted trapezoids: half a circle would have no draft at its rim.
 struct SpoutSettings {
@@ -89,6 +99,7 @@ struct SpoutSettings {
     PourDirection pour = PourDirection::Automatic;
     Resting resting = Resting::Standing;
     double neck = 4; ///< mm; a spout through a half widens outwards, so it must break off here
+    PourTilt tilt;
 
     bool operator==(const SpoutSettings&) const = default;
 };

@@ -42,6 +42,8 @@ Result<MoldSketcher> MoldSketcher::prepared(const IndexedMesh& cast, const SideL
     Result<void> done = builder.place(cast, labels, state);
     if (done)
         done = builder.makeKinds();
+    if (done)
+        done = builder.findTilt();
     if (!done)
         return std::unexpected(done.error());
     return MoldSketcher(std::make_unique<State>(State{std::move(builder), std::move(unplaced), {}, {}}));

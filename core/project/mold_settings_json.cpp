@@ -78,6 +78,9 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"bolts", "clear"}, mold.bolts.clear);
     at.name({"spout", "resting"}, mold.spout.resting, restingNames);
     at.value({"spout", "neck"}, mold.spout.neck);
+    at.value({"spout", "tilt", "automatic"}, mold.spout.tilt.automatic);
+    at.value({"spout", "tilt", "degrees"}, mold.spout.tilt.degrees);
+    at.value({"spout", "tilt", "towards_deg"}, mold.spout.tilt.towards);
     at.value({"hollow", "wall"}, mold.hollow.wall);
     at.value({"stock"}, mold.stock);
     at.features({"placed"}, mold.placed);
