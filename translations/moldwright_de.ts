@@ -1193,8 +1193,8 @@
         <translation>{0}: Region {1} braucht ein &quot;weight&quot; von 1 (wie der Rest) bis 65536, oder mit &quot;faces&quot; eine Liste davon, eines für jede.</translation>
     </message>
     <message>
-        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt or ejector), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
-        <translation>{0}: Eintrag {1} braucht ein „kind“ (spout, vent, key, slit, bolt oder ejector), eine „number“ ab 1 und „at“ mit zwei Zahlen in mm.</translation>
+        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt, ejector or overflow), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
+        <translation>{0}: Eintrag {1} braucht ein „kind“ (spout, vent, key, slit, bolt, ejector oder overflow), eine „number“ ab 1 und „at“ mit zwei Zahlen in mm.</translation>
     </message>
     <message>
         <source>{0}: entry {1} puts a feature to another place than an entry before it.</source>
@@ -1545,6 +1545,34 @@
     <message>
         <source>Cavity {0} cannot be turned by {1}°: its faces would leave with {2}°, {3}° are required. Turned copies need removal directions normal to the plane.</source>
         <translation>Kavität {0} kann nicht um {1}° gedreht werden: Ihre Flächen kämen mit {2}° heraus, verlangt sind {3}°. Gedrehte Kopien brauchen Entformungsrichtungen senkrecht zur Ebene.</translation>
+    </message>
+<message>
+        <source>Overflow {0} would stand {1} mm from its cavity's parting line. Keep it within {2} mm, or have it placed automatically.</source>
+        <translation>Überlauf {0} stünde {1} mm von der Trennlinie seiner Kavität entfernt. Bleiben Sie innerhalb von {2} mm, oder lassen Sie ihn automatisch setzen.</translation>
+    </message>
+<message>
+        <source>Overflow {0} cannot stand there: its channel would meet another part of the cavity. Move it, or have it placed automatically.</source>
+        <translation>Überlauf {0} kann dort nicht stehen: Sein Kanal träfe auf einen anderen Teil der Kavität. Verschieben Sie ihn, oder lassen Sie ihn automatisch setzen.</translation>
+    </message>
+<message>
+        <source>There is no room for {0} overflows {1} mm wide at each cavity. Ask for fewer or smaller ones, or for more steel between the cavities.</source>
+        <translation>An jeder Kavität ist kein Platz für {0} Überläufe von {1} mm Breite. Verlangen Sie weniger oder kleinere, oder mehr Stahl zwischen den Kavitäten.</translation>
+    </message>
+<message>
+        <source>Overflow {0} would stand where the cavity is filled. Move it, or have it placed automatically.</source>
+        <translation>Überlauf {0} stünde dort, wo die Kavität gefüllt wird. Verschieben Sie ihn, oder lassen Sie ihn automatisch setzen.</translation>
+    </message>
+<message>
+        <source>Overflows need a spout: without one nothing tells where material arrives last.</source>
+        <translation>Überläufe brauchen einen Einguss: Ohne ihn ist nicht bestimmt, wo das Material zuletzt ankommt.</translation>
+    </message>
+<message>
+        <source>The channel of overflow {0} has no room in the wall of its well. Make the channel narrower or the well wider.</source>
+        <translation>Der Kanal von Überlauf {0} hat in der Wand seiner Mulde keinen Platz. Machen Sie den Kanal schmaler oder die Mulde breiter.</translation>
+    </message>
+<message>
+        <source>A mold cannot lean by {0}° while it is filled: 0 to {1}° are possible.</source>
+        <translation>Eine Form kann beim Füllen nicht um {0}° geneigt sein: 0 bis {1}° sind möglich.</translation>
     </message>
 </context>
 <context>
@@ -1968,6 +1996,66 @@
         <source>Of a free layout: x and y of each cavity in mm and how far it is turned in degrees; a semicolon between cavities.</source>
         <translation>Bei freier Anordnung: x und y jeder Kavität in mm und ihre Drehung in Grad; zwischen Kavitäten ein Semikolon.</translation>
     </message>
+<message>
+        <source>Overflows</source>
+        <translation>Überläufe</translation>
+    </message>
+<message>
+        <source>Closed wells beside each solid of each cavity, for the material that arrives last.</source>
+        <translation>Geschlossene Mulden neben jedem Körper jeder Kavität, für das Material, das zuletzt ankommt.</translation>
+    </message>
+<message>
+        <source>Their width</source>
+        <translation>Ihre Breite</translation>
+    </message>
+<message>
+        <source>Of the wells in the parting plane.</source>
+        <translation>Der Mulden in der Trennebene.</translation>
+    </message>
+<message>
+        <source>Their channels' width</source>
+        <translation>Breite ihrer Kanäle</translation>
+    </message>
+<message>
+        <source>0.3 of the well's at most.</source>
+        <translation>Höchstens 0,3 der Muldenbreite.</translation>
+    </message>
+<message>
+        <source>Their channels' length</source>
+        <translation>Länge ihrer Kanäle</translation>
+    </message>
+<message>
+        <source>From the cavity to the well.</source>
+        <translation>Von der Kavität zur Mulde.</translation>
+    </message>
+<message>
+        <source>Tilted</source>
+        <translation>Geneigt</translation>
+    </message>
+<message>
+        <source>While it is filled: by number, or as the least air stays. What that would save is told when the mold is built.</source>
+        <translation>Beim Füllen: nach Zahl, oder so, dass am wenigsten Luft bleibt. Was das sparen würde, wird beim Bauen der Form gesagt.</translation>
+    </message>
+<message>
+        <source>By number</source>
+        <translation>Nach Zahl</translation>
+    </message>
+<message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+<message>
+        <source>How far the mold's top leans while it is filled, where that is by number.</source>
+        <translation>Wie weit sich die Oberseite der Form beim Füllen neigt, wenn das nach Zahl geht.</translation>
+    </message>
+<message>
+        <source>Towards</source>
+        <translation>Nach</translation>
+    </message>
+<message>
+        <source>0 to the right, 90 to half 1, or to the back of a mold that lies flat.</source>
+        <translation>0 nach rechts, 90 zu Hälfte 1, oder bei einer liegenden Form nach hinten.</translation>
+    </message>
 </context>
 <context>
     <name>MoldPlacing</name>
@@ -2058,6 +2146,18 @@
     <message>
         <source>%1 mm of steel to %2</source>
         <translation>%1 mm Stahl bis %2</translation>
+    </message>
+<message>
+        <source>overflow %1</source>
+        <translation>Überlauf %1</translation>
+    </message>
+<message>
+        <source>the channel of overflow %1</source>
+        <translation>dem Kanal von Überlauf %1</translation>
+    </message>
+<message>
+        <source>Overflow %1</source>
+        <translation>Überlauf %1</translation>
     </message>
 </context>
 <context>

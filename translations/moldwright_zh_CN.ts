@@ -1193,8 +1193,8 @@
         <translation>{0}：区域 {1} 需要一个 1（与其余相同）到 65536 的 &quot;weight&quot;，或者配合 &quot;faces&quot; 给出一个列表，每个面一个。</translation>
     </message>
     <message>
-        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt or ejector), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
-        <translation>{0}：条目 {1} 需要 “kind”（spout、vent、key、slit、bolt 或 ejector）、从 1 起的 “number”，以及含两个数（mm）的 “at”。</translation>
+        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt, ejector or overflow), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
+        <translation>{0}：条目 {1} 需要 “kind”（spout、vent、key、slit、bolt、ejector 或 overflow）、从 1 起的 “number”，以及含两个数（mm）的 “at”。</translation>
     </message>
     <message>
         <source>{0}: entry {1} puts a feature to another place than an entry before it.</source>
@@ -1545,6 +1545,34 @@
     <message>
         <source>Cavity {0} cannot be turned by {1}°: its faces would leave with {2}°, {3}° are required. Turned copies need removal directions normal to the plane.</source>
         <translation>型腔 {0} 不能旋转 {1}°：其表面将只有 {2}° 的拔模角，要求 {3}°。旋转的副本需要垂直于分型面的脱模方向。</translation>
+    </message>
+<message>
+        <source>Overflow {0} would stand {1} mm from its cavity's parting line. Keep it within {2} mm, or have it placed automatically.</source>
+        <translation>溢料槽 {0} 距其型腔分型线 {1} mm。请保持在 {2} mm 以内，或让程序自动放置。</translation>
+    </message>
+<message>
+        <source>Overflow {0} cannot stand there: its channel would meet another part of the cavity. Move it, or have it placed automatically.</source>
+        <translation>溢料槽 {0} 不能放在那里：其通道会碰到型腔的另一部分。请移动它，或让程序自动放置。</translation>
+    </message>
+<message>
+        <source>There is no room for {0} overflows {1} mm wide at each cavity. Ask for fewer or smaller ones, or for more steel between the cavities.</source>
+        <translation>每个型腔旁没有空间放置 {0} 个宽 {1} mm 的溢料槽。请减少数量或尺寸，或增大型腔间的壁厚。</translation>
+    </message>
+<message>
+        <source>Overflow {0} would stand where the cavity is filled. Move it, or have it placed automatically.</source>
+        <translation>溢料槽 {0} 位于型腔的进料处。请移动它，或让程序自动放置。</translation>
+    </message>
+<message>
+        <source>Overflows need a spout: without one nothing tells where material arrives last.</source>
+        <translation>溢料槽需要浇道：没有浇道就无法知道材料最后到达哪里。</translation>
+    </message>
+<message>
+        <source>The channel of overflow {0} has no room in the wall of its well. Make the channel narrower or the well wider.</source>
+        <translation>溢料槽 {0} 的通道在槽壁上没有空间。请减小通道宽度或增大槽的宽度。</translation>
+    </message>
+<message>
+        <source>A mold cannot lean by {0}° while it is filled: 0 to {1}° are possible.</source>
+        <translation>浇注时模具不能倾斜 {0}°：可以为 0 到 {1}°。</translation>
     </message>
 </context>
 <context>
@@ -1968,6 +1996,66 @@
         <source>Of a free layout: x and y of each cavity in mm and how far it is turned in degrees; a semicolon between cavities.</source>
         <translation>自由排列：每个型腔的 x 和 y（mm）及旋转角度（度）；型腔之间用分号。</translation>
     </message>
+<message>
+        <source>Overflows</source>
+        <translation>溢料槽</translation>
+    </message>
+<message>
+        <source>Closed wells beside each solid of each cavity, for the material that arrives last.</source>
+        <translation>每个型腔的每个实体旁的封闭槽，用来容纳最后到达的材料。</translation>
+    </message>
+<message>
+        <source>Their width</source>
+        <translation>其宽度</translation>
+    </message>
+<message>
+        <source>Of the wells in the parting plane.</source>
+        <translation>槽在分型面内的宽度。</translation>
+    </message>
+<message>
+        <source>Their channels' width</source>
+        <translation>其通道宽度</translation>
+    </message>
+<message>
+        <source>0.3 of the well's at most.</source>
+        <translation>最多为槽宽的 0.3 倍。</translation>
+    </message>
+<message>
+        <source>Their channels' length</source>
+        <translation>其通道长度</translation>
+    </message>
+<message>
+        <source>From the cavity to the well.</source>
+        <translation>从型腔到槽。</translation>
+    </message>
+<message>
+        <source>Tilted</source>
+        <translation>倾斜</translation>
+    </message>
+<message>
+        <source>While it is filled: by number, or as the least air stays. What that would save is told when the mold is built.</source>
+        <translation>浇注时：按数值，或使残留空气最少。构建模具时会告知可减少多少。</translation>
+    </message>
+<message>
+        <source>By number</source>
+        <translation>按数值</translation>
+    </message>
+<message>
+        <source>Tilt</source>
+        <translation>倾角</translation>
+    </message>
+<message>
+        <source>How far the mold's top leans while it is filled, where that is by number.</source>
+        <translation>按数值时，浇注时模具顶部倾斜的角度。</translation>
+    </message>
+<message>
+        <source>Towards</source>
+        <translation>朝向</translation>
+    </message>
+<message>
+        <source>0 to the right, 90 to half 1, or to the back of a mold that lies flat.</source>
+        <translation>0 朝右，90 朝半模 1；平放的模具则朝后。</translation>
+    </message>
 </context>
 <context>
     <name>MoldPlacing</name>
@@ -2058,6 +2146,18 @@
     <message>
         <source>%1 mm of steel to %2</source>
         <translation>到%2的钢材 %1 mm</translation>
+    </message>
+<message>
+        <source>overflow %1</source>
+        <translation>溢料槽 %1</translation>
+    </message>
+<message>
+        <source>the channel of overflow %1</source>
+        <translation>溢料槽 %1 的通道</translation>
+    </message>
+<message>
+        <source>Overflow %1</source>
+        <translation>溢料槽 %1</translation>
     </message>
 </context>
 <context>

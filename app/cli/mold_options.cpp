@@ -47,6 +47,7 @@ void MoldOptions::declare(CLI::App& app) {
     declareChannels(app);
     declareRegistration(app);
     declareHoles(app);
+    declarePouring(app);
 }
 
 void MoldOptions::declareBlock(CLI::App& app) {
@@ -317,7 +318,7 @@ Result<void> MoldOptions::applyChannels(MoldSettings& settings) const {
     take(settings.vents.diameter, ventDiameter);
     take(settings.vents.depth, ventDepth);
     take(settings.vents.smallestTrap, smallestTrap);
-    return {};
+    return applyPouring(settings);
 }
 
 Result<void> MoldOptions::applyPlaces(PlacedFeatures& placed) const {

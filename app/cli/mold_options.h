@@ -28,12 +28,14 @@ private:
     void declareChannels(CLI::App& app);
     void declareRegistration(CLI::App& app);
     void declareHoles(CLI::App& app);
+    void declarePouring(CLI::App& app);
     [[nodiscard]] Result<void> applyLayout(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyCavityPlaces(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyCavities(LayoutSettings& layout) const;
     [[nodiscard]] Result<void> applyShrink(ShrinkSettings& shrink) const;
     [[nodiscard]] Result<void> applyPlaces(PlacedFeatures& placed) const;
     [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;
+    [[nodiscard]] Result<void> applyPouring(MoldSettings& settings) const;
     [[nodiscard]] Result<MoldSettings> afterPreset(MoldSettings settings) const;
     void applyBlock(MoldSettings& settings) const;
     void applyRegistration(MoldSettings& settings) const;
@@ -56,6 +58,10 @@ private:
     std::optional<double> keyDiameter, keyHeight, keyClearance, keyLean, slitDepth, slitWidth, slitHeight;
     std::optional<int> bolts, ejectors, ejectorSide;
     std::optional<double> boltDiameter, boltWall, boltClear, ejectorDiameter;
+    std::optional<int> overflows;
+    std::string pourTilt;
+    std::optional<double> pourTowards;
+    std::optional<double> overflowDiameter, overflowChannel, overflowLength;
 };
 
 } // namespace moldwright::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/mold_pages.h"
 
+#include "mold/pour_tilt.h"
 #include "project/cavity_places.h"
 #include "project/edits.h"
 #include "window/action_table.h"
@@ -184,6 +185,16 @@ FieldSection cavityFields() {
           }}}};
 }
 
+Field tiltChoice() {
+    return {
+        {u"pour-tilt"_s, Words::tr("Tilted"),
+         Words::tr("While it is filled: by number, or as the least air stays. What that would save is told "
+                   "when the mold is built."),
+         ChoiceProperty{{Words::tr("By number"), Words::tr("Automatic")}}},
+        [](const MoldSettings& mold) { return mold.spout.tilt.automatic ? 1.0 : 0.0; },
+        [](MoldSettings& mold, const QVariant& value) { mold.spout.tilt.automatic = value.toInt() != 0; }};
+}
+
 FieldSection fillingFields() {
     return {
         Words::tr("Filling"),
@@ -205,6 +216,15 @@ FieldSection fillingFields() {
          numberField(u"spout-neck"_s, Words::tr("Neck"),
                      Words::tr("Where a spout through half 1 breaks off."), millimetres(1, 30),
                      [](MoldSettings& mold) -> double& { return mold.spout.neck; }),
+         tiltChoice(),
+         numberField(u"pour-tilt-degrees"_s, Words::tr("Tilt"),
+                     Words::tr("How far the mold's top leans while it is filled, where that is by number."),
+                     {u"°"_s, 0, mostPourTilt, 1, 0, false},
+                     [](MoldSettings& mold) -> double& { return mold.spout.tilt.degrees; }),
+         numberField(u"pour-towards"_s, Words::tr("Towards"),
+                     Words::tr("0 to the right, 90 to half 1, or to the back of a mold that lies flat."),
+                     {u"°"_s, 0, 359, 45, 0, false},
+                     [](MoldSettings& mold) -> double& { return mold.spout.tilt.towards; }),
          {{u"vents"_s, Words::tr("Vents"), Words::tr("Where air would stay while the mold is filled."),
            ChoiceProperty{{Words::tr("None"), Words::tr("Automatic")}}},
           [](const MoldSettings& mold) { return mold.vents.on ? 1.0 : 0.0; },
@@ -213,6 +233,19 @@ FieldSection fillingFields() {
                      Words::tr("In the parting plane, both halves together; 0: as their width asks."),
                      {u"mm"_s, 0, 5, 0.01, 3, false},
                      [](MoldSettings& mold) -> double& { return mold.vents.depth; }),
+         countField(u"overflows"_s, Words::tr("Overflows"),
+                    Words::tr("Closed wells beside each solid of each cavity, for the material that "
+                              "arrives last."),
+                    12, [](MoldSettings& mold) -> int& { return mold.overflows.count; }),
+         numberField(u"overflow-diameter"_s, Words::tr("Their width"),
+                     Words::tr("Of the wells in the parting plane."), millimetres(2, 50),
+                     [](MoldSettings& mold) -> double& { return mold.overflows.diameter; }),
+         numberField(u"overflow-channel"_s, Words::tr("Their channels' width"),
+                     Words::tr("0.3 of the well's at most."), {u"mm"_s, 0.5, 15, 0.1, 2, false},
+                     [](MoldSettings& mold) -> double& { return mold.overflows.channel; }),
+         numberField(u"overflow-length"_s, Words::tr("Their channels' length"),
+                     Words::tr("From the cavity to the well."), millimetres(0.5, 30),
+                     [](MoldSettings& mold) -> double& { return mold.overflows.length; }),
          numberField(u"hollow"_s, Words::tr("Cast hollow"),
                      Words::tr("The wall that stays when the rest is poured out again; 0: solid."),
                      millimetres(0, 50), [](MoldSettings& mold) -> double& { return mold.hollow.wall; })}};

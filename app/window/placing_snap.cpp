@@ -10,7 +10,7 @@ namespace {
 constexpr double step = 0.5; // mm
 
 bool ofCavity(Placeable kind) {
-    return kind == Placeable::Vent || kind == Placeable::Ejector;
+    return kind == Placeable::Vent || kind == Placeable::Ejector || kind == Placeable::Overflow;
 }
 
 } // namespace

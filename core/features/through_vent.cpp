@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace moldwright {
 
@@ -33,7 +34,7 @@ std::optional<double> narrowing(int side, const Vector3d& d, double draft) {
 class InsideSide {
 public:
     InsideSide(const IndexedMesh& cast, const SideLabels& labels, int side, const Vector3d& d)
-        : m_side(side), m_along(std::abs(d.z())), m_over(cast, facesOf(labels, side), d) {}
+        : m_side(side), m_d(d), m_over(cast, facesOf(labels, side), d) {}
 
     [[nodiscard]] bool holds(const PlanShape& shape, double height, double margin) const {
         const double z = m_side == 1 ? height : -height;
@@ -41,12 +42,15 @@ public:
                            [&](const Vector2d& p) { return m_over.above({p.x(), p.y(), z}) > margin; });
     }
 
-    /// The cast's highest point over a circle and its centre, mm.
-    [[nodiscard]] double highest(PlanShape circle, const Vector2d& centre, double height) const {
+    /// The highest point along `up` of where a circle and its centre, moved along d, leave the cast, mm.
+    [[nodiscard]] double highest(PlanShape circle, const Vector2d& centre, double height,
+                                 const Vector3d& up) const {
         circle.push_back(centre);
-        double most = 0;
-        for (const Vector2d& p : circle)
-            most = std::max(most, height + m_over.above({p.x(), p.y(), height}) * m_along);
+        double most = -std::numeric_limits<double>::infinity();
+        for (const Vector2d& p : circle) {
+            const Vector3d foot(p.x(), p.y(), m_side == 1 ? height : -height);
+            most = std::max(most, (foot + m_over.above(foot) * m_d).dot(up));
+        }
         return most;
     }
 
@@ -59,17 +63,19 @@ private:
         return faces;
     }
     int m_side;
-    double m_along; ///< height won along the direction
+    Vector3d m_d;
     Overhang m_over;
 };
 
-/// Ways from a high point to where a vent's foot has room: down again, or any way where that is into the
-/// half.
+/// Ways from a high point to where a vent's foot has room: first down again, as far as that is in the plane.
 std::vector<Vector2d> waysFrom(const Vector3d& up) {
-    if (up.z() == 0)
-        return {-up.head<2>().normalized()};
-    constexpr int ways = 8;
-    return planCircle(Vector2d::Zero(), 1, ways);
+    const bool leans = up.head<2>().norm() > 0;
+    const Vector2d down = leans ? Vector2d(-up.head<2>().normalized()) : Vector2d(Vector2d::UnitX());
+    constexpr int count = 8;
+    std::vector<Vector2d> ways = planCircle(Vector2d::Zero(), 1, count);
+    for (Vector2d& way : ways)
+        way = way.x() * down + way.y() * Vector2d(-down.y(), down.x());
+    return ways;
 }
 
 std::optional<ThroughVent> ventAt(const Vector2d& centre, double foot, int side, const Vector3d& d,
@@ -112,16 +118,14 @@ std::optional<ThroughVent> throughVent(const IndexedMesh& cast, const SideLabels
     const InsideSide inside(cast, labels, side, d);
     const double top = std::abs(highPoint.z());
     constexpr int levels = 8;
-    constexpr int steps = 12;
+    constexpr int steps = 16;
     // Nearest to the point first: what lies above the foot's highest point stays as a bubble.
     for (int step = 0; step <= steps; ++step)
         for (const Vector2d& way : waysFrom(up))
             for (int level = 0; level < levels; ++level) {
                 const double foot = onGrid(top * (levels - level) / (levels + 1), request.grid);
                 const double radius = request.diameter / 2 + *wider * (request.end - foot) + 4 * request.grid;
-                const bool upright = up.z() != 0;
-                const Vector2d centre = highPoint.head<2>() +
-                                        way * radius * ((upright ? 0 : 1) + 0.25 * step) +
+                const Vector2d centre = highPoint.head<2>() + way * radius * 0.25 * step +
                                         d.head<2>() / d.z() * ((side == 1 ? foot : -foot) - highPoint.z());
                 const PlanShape circle = planCircle(centre, radius, corners);
                 if (foot <= 0 || !inside.holds(circle, foot, 0.1 * request.diameter))
@@ -129,8 +133,7 @@ std::optional<ThroughVent> throughVent(const IndexedMesh& cast, const SideLabels
                 std::optional<ThroughVent> vent = ventAt(centre, foot, side, d, radius, request);
                 if (!vent)
                     continue;
-                vent->reach =
-                    upright ? inside.highest(circle, centre, foot) : centre.dot(up.head<2>()) + radius;
+                vent->reach = inside.highest(circle, centre, foot, up);
                 return vent;
             }
     return std::nullopt;

@@ -16,7 +16,7 @@ struct ThroughVent {
     DraftedPrism body;                               ///< stands `foot` above the plane instead of on it
     double foot = 0;                                 ///< mm from the plane, inside the cavity
     Eigen::Vector3d mouth = Eigen::Vector3d::Zero(); ///< centre of the opening, mm, mold's frame
-    double reach = 0;                                ///< mm along `up`: the highest point of its foot
+    double reach = 0; ///< mm along `up`: the highest point at which air enters it
 
     /// The body closed, in the mold's frame.
     [[nodiscard]] IndexedMesh solid() const;
@@ -32,8 +32,7 @@ struct ThroughVentRequest {
 
 /// A vent for the air at `highPoint`, a point of `cast` (mold's frame, plane z = 0) on the given side: its
 /// foot lies wholly inside the cast, as near to the point as that allows, so that the joined body is still a
-/// graph along the direction. `up` lies in the parting plane, or is +z where the mold lies flat. None where
-/// the cast is too slender for the foot.
+/// graph along the direction. `up` (unit) may point any way. None where the cast is too slender for the foot.
 [[nodiscard]] std::optional<ThroughVent>
 throughVent(const IndexedMesh& cast, const SideLabels& labels, const Directions& directions, int side,
             const Eigen::Vector3d& highPoint, const Eigen::Vector3d& up, const ThroughVentRequest& request);

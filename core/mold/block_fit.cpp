@@ -40,6 +40,8 @@ Obstacles MoldBuilder::planObstacles(const Block& block) const {
     Obstacles obstacles;
     for (const CavityCopy& copy : m_layout.copies) {
         obstacles.push_back(movedPlan(kinds()[copy.kind].hull, copy.offset));
+        for (PlanShape& shape : overflowShapes(copy))
+            obstacles.push_back(std::move(shape));
         for (const OutwardHole& hole : outwardHoles(copy)) {
             // Oblique ones pass over the plane beside the cavity.
             Points ends(2 * circleCorners, 3);
@@ -108,6 +110,10 @@ Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
                 content.cavities.extend(
                     Vector3d(mouth.x() + way * hole.radius, mouth.y() + way * hole.radius, 0));
         }
+    for (const CavityCopy& copy : m_layout.copies)
+        for (const PlanShape& shape : overflowShapes(copy))
+            for (const Vector2d& p : shape)
+                content.cavities.extend(Vector3d(p.x(), p.y(), 0));
     if (inPlane())
         addChannelContent(content, wallY);
     content.byHand = boxByHand();

@@ -40,15 +40,18 @@ public:
         const CavityKind& cavity = m_shapes.kinds[kind];
         std::vector<int> drains;
         if (m_settings.spout.on) {
-            Result<std::vector<int>> found =
-                m_plan.up.z() == 0 ? findGates(kind) : findSpouts(cavity, m_shapes.spoutGrounds[kind]);
+            Result<std::vector<int>> found = m_settings.spout.resting == Resting::Standing
+                                                 ? findGates(kind)
+                                                 : findSpouts(cavity, m_shapes.spoutGrounds[kind]);
             if (!found)
                 return std::unexpected(found.error());
             drains = *std::move(found);
         }
-        if (m_settings.vents.on)
+        if (m_settings.vents.on) {
             if (Result<void> done = findTraps(cavity, drains); !done)
                 return std::unexpected(done.error());
+        } else if (m_settings.overflows.count > 0 || m_plan.tellsAir)
+            m_found.unvented = trapsOf(cavity.cast, drains, m_plan.up, m_settings.vents.smallestTrap);
         if (m_settings.ejectors.count > 0)
             if (Result<void> done = findPins(kind); !done)
                 return std::unexpected(done.error());

@@ -27,6 +27,7 @@ struct EntryPlan {
     double gate = 0;                               ///< mm, width of gates in the parting plane
     double channelDraft = 0;                       ///< degrees
     Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< while it is filled
+    bool tellsAir = false;                         ///< the traps are asked for even where nothing serves them
     /// Where each kind's gates are spouts of their own, which a hand may move: its only copy's place, mm.
     /// Else empty.
     std::vector<Eigen::Vector2d> cavityAt;

@@ -4,6 +4,7 @@
 #include "features/joined_channel.h"
 #include "mesh/measures.h"
 #include "mold/free_place.h"
+#include "mold/overflows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,9 @@ public:
         m_result = {};
         for (const Gate& gate : m_features.gates)
             if (Result<void> done = addGate(gate); !done)
+                return std::unexpected(done.error());
+        for (const Overflow& overflow : m_plan.overflows)
+            if (Result<void> done = addOverflow(overflow); !done)
                 return std::unexpected(done.error());
         for (const VentedTrap& trap : m_features.traps)
             if (Result<void> done = vent(trap); !done)
@@ -122,7 +126,28 @@ private:
         return {};
     }
 
-    [[nodiscard]] bool standing() const { return m_plan.up.z() == 0 && m_plan.ventsInPlane; }
+    Result<void> addOverflow(const Overflow& overflow) {
+        Result<JoinedOverflow> bodies =
+            overflowBodies(overflow, m_plan.settings->overflows, m_plan.rules, m_nudge);
+        if (!bodies)
+            return std::unexpected(bodies.error());
+        for (const Stub& stub : m_result.stubs)
+            if (planDistance(bodies->channel.base, stub.prism.base) == 0) {
+                Error error;
+                error.code = ErrorCode::Impossible;
+                error.message = {MW_TEXT("Mold", "Overflow {0} would stand where the cavity is filled. Move "
+                                                 "it, or have it placed automatically."),
+                                 {std::to_string(overflow.number + 1)}};
+                error.places.emplace_back(overflow.tip.x(), overflow.tip.y(), 0);
+                return std::unexpected(std::move(error));
+            }
+        m_result.overflows.push_back(*std::move(bodies));
+        return {};
+    }
+
+    [[nodiscard]] bool standing() const {
+        return m_plan.settings->spout.resting == Resting::Standing && m_plan.ventsInPlane;
+    }
 
     Result<void> vent(const VentedTrap& trap) {
         // In the plane it may leave some air only where a hand put it and there is no other way.
@@ -143,6 +168,9 @@ private:
         return std::unexpected(std::move(error));
     }
 
+    /// How high a place of the plane is while the mold is filled.
+    [[nodiscard]] double levelOf(const Vector2d& place) const { return place.dot(m_plan.up.head<2>()); }
+
     /// Where a vent in the plane begins: the trap's highest point of the parting line, or by hand the line's
     /// highest over the place.
     [[nodiscard]] std::optional<Vector2d> topInPlane(const VentedTrap& vented) const {
@@ -151,12 +179,12 @@ private:
             return topOver(m_kind.outlines, vented.top.x(), vented.trap.points);
         std::optional<Vector2d> best;
         for (const int v : vented.trap.points)
-            if (cast.V(v, 2) == 0 && (!best || cast.V(v, 1) > best->y()))
+            if (cast.V(v, 2) == 0 && (!best || levelOf(cast.V.row(v).head<2>()) > levelOf(*best)))
                 best = cast.V.row(v).head<2>().transpose();
         return best;
     }
 
-    /// Where a channel that begins at a place by hand has left the outline, which may slant there.
+    /// Where a channel has left the outline, which slants where a hand put it or the mold leans.
     [[nodiscard]] double exitInPlane(const Vector2d& tip, double width) const {
         constexpr double steepest = 1.5; // widths
         double exit = tip.y();
@@ -171,15 +199,14 @@ private:
         const std::optional<Vector2d> tip = topInPlane(vented);
         if (!tip)
             return false;
-        const double left = airAbove(m_kind.cast, Vector3d::UnitY(), vented.trap, tip->y());
+        const double left = airAbove(m_kind.cast, m_plan.up, vented.trap, levelOf(*tip));
         if (left > vents.smallestTrap && !withAir)
             return false;
         const double width = vents.diameter * (1 + 0.02 * m_nudge);
         const double axis = nudged(tip->x(), width);
         PlanShape shape =
             planRectangle({axis - width / 2, tip->y() - width}, {axis + width / 2, m_plan.line});
-        const double exit = vented.byHand ? exitInPlane(*tip, width) : tip->y();
-        if (!wayIsFree(shape, exit + 0.3) || !(vented.byHand || keepsClear(shape)))
+        if (!wayIsFree(shape, exitInPlane(*tip, width) + 0.3) || !(vented.byHand || keepsClear(shape)))
             return false;
         const double height = vents.depth > 0 ? vents.depth / sidesOfChannels() : heightOverWidth * width;
         if (!add(std::move(shape), height, {{}, "Vent", true, vented.number, *tip}))
@@ -201,6 +228,10 @@ private:
         return std::all_of(m_result.stubs.begin(), m_result.stubs.end(),
                            [&](const Stub& stub) { return clear(stub.prism.base); }) &&
                std::all_of(m_plan.others.begin(), m_plan.others.end(), clear) &&
+               std::all_of(m_result.overflows.begin(), m_result.overflows.end(),
+                           [&](const JoinedOverflow& other) {
+                               return clear(other.channel.base) && clear(other.well.base);
+                           }) &&
                std::all_of(m_result.vents.begin(), m_result.vents.end(),
                            [&](const CavityVent& other) { return clear(other.body.base); }) &&
                std::all_of(m_features.bores.begin(), m_features.bores.end(), [&](const HalfBore& bore) {
@@ -244,11 +275,15 @@ private:
     bool joinAll() {
         JointRequest request{m_plan.rules.directions, m_plan.draftDegrees, m_plan.rules.grid, {}};
         std::vector<IndexedMesh> bodies;
-        for (const Stub& stub : m_result.stubs) {
-            bodies.push_back(*prismSolid(stub.prism));
-            const std::vector<Vector3d> points = openingPoints(stub.prism);
+        const auto addOpen = [&](const DraftedPrism& prism) {
+            bodies.push_back(*prismSolid(prism));
+            const std::vector<Vector3d> points = openingPoints(prism);
             request.openings.insert(request.openings.end(), points.begin(), points.end());
-        }
+        };
+        for (const Stub& stub : m_result.stubs)
+            addOpen(stub.prism);
+        for (const JoinedOverflow& overflow : m_result.overflows)
+            addOpen(overflow.channel);
         for (const CavityVent& vent : m_result.vents)
             bodies.push_back(vent.solid());
         // They keep clear of each other: one joint for all.

@@ -32,11 +32,32 @@ struct CavityVent : ThroughVent {
     Eigen::Vector2d top = Eigen::Vector2d::Zero(); ///< the trap's, mm
 };
 
+/// A closed well beside the cavity, in the kind's coordinates: where its channel leaves the parting line, and
+/// which way.
+struct Overflow {
+    Eigen::Vector2d tip = Eigen::Vector2d::Zero();    ///< mm, on the parting line
+    Eigen::Vector2d way = Eigen::Vector2d::UnitY();   ///< unit, outwards
+    Eigen::Vector2d stands = Eigen::Vector2d::Zero(); ///< the place that it has by hand; else the tip
+    double drop = 0;                                  ///< mm inside the tip at which the channel begins
+    double exit = 0; ///< mm beyond it at which the channel has left the outline
+    int number = 0;  ///< among those of all kinds
+};
+
+/// The same as bodies; the channel opens into the well's first wall.
+struct JoinedOverflow {
+    DraftedPrism channel;
+    DraftedPrism well;
+    int number = 0;
+    Eigen::Vector2d tip = Eigen::Vector2d::Zero();    ///< mm
+    Eigen::Vector2d stands = Eigen::Vector2d::Zero(); ///< mm
+};
+
 /// One kind of cavity with everything that crosses its wall.
 struct JoinedCavity {
     IndexedMesh solid; ///< cast, stubs and vents in one; open where stubs go on
     std::vector<Stub> stubs;
     std::vector<CavityVent> vents;
+    std::vector<JoinedOverflow> overflows; ///< of them `solid` holds the channels
     std::vector<RemainingAir> remaining;
     double stubVolume = 0;       ///< mm³ by which the closed solid is larger than the cast
     IndexedMesh hollow;          ///< the solid with its bores: what the halves are cut by; open like it
@@ -49,7 +70,8 @@ struct JoinedCavity {
 struct CavityFeatures {
     std::vector<Gate> gates;
     std::vector<VentedTrap> traps;
-    std::vector<HalfBore> bores; ///< their last section is left to the joint: the block's face
+    std::vector<AirTrap> unvented; ///< where they are asked for without vents
+    std::vector<HalfBore> bores;   ///< their last section is left to the joint: the block's face
 };
 
 /// What a cavity is joined with.
@@ -58,9 +80,10 @@ struct JointPlan {
     ChannelRules rules;
     ChannelWidths widths;
     double draftDegrees = 1;                       ///< of the mold
-    Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< while it is filled: +y, or +z
+    Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< while it is filled; unit
     double line = 0;                  ///< at which stubs end, along the kind's inlet, its coordinates
     std::array<double, 2> slope{};    ///< of the wall that they end in
+    std::vector<Overflow> overflows;  ///< of this kind
     bool spout = false;               ///< its gates are spouts themselves
     bool ventsInPlane = true;         ///< nothing else stands over the cavity
     std::vector<PlanShape> others;    ///< what vents in the plane keep clear of, the kind's coordinates

@@ -63,6 +63,7 @@ void MoldBuilder::listCavity(const CavityCopy& copy) {
                         {}});
     listStubs(copy);
     listBores(copy);
+    listOverflows(copy);
     for (const RemainingAir& air : joined.remaining) {
         m_mold.trappedAir += air.volume;
         features.push_back({"trapped_air",

@@ -15,12 +15,15 @@ struct Stage {
     Result<void> (MoldBuilder::*work)();
 };
 
-/// After the cast was placed. A mold's block is known after the first four.
+/// After the cast was placed. A mold's block is known after the first six.
 constexpr std::array stages = {
     Stage{0.15, "Lay out the cavities", &MoldBuilder::makeKinds},
+    Stage{0.16, "Look where air stays", &MoldBuilder::findTilt},
     Stage{0.2, "Lay out the cavities", &MoldBuilder::layOut},
     Stage{0.2, "Lay out the cavities", &MoldBuilder::findEntries},
+    Stage{0.24, "Lay out the cavities", &MoldBuilder::findOverflows},
     Stage{0.25, "Fit the block", &MoldBuilder::fitBlock},
+    Stage{0.26, "Look where air stays", &MoldBuilder::tellOfTilt},
     Stage{0.3, "Join the channels", &MoldBuilder::join},
     Stage{0.5, "Measure the steel", &MoldBuilder::measureSteel},
     Stage{0.55, "Measure the steel", &MoldBuilder::refuseCollisions},
@@ -28,7 +31,7 @@ constexpr std::array stages = {
     Stage{0.65, "Build the halves", &MoldBuilder::measure},
     Stage{0.7, "Prove the halves", &MoldBuilder::prove},
 };
-constexpr std::size_t untilBlock = 4;
+constexpr std::size_t untilBlock = 6;
 
 } // namespace
 

@@ -39,6 +39,15 @@ struct MoldFeature {
     PlanShape outline = {}; ///< mm, mold's frame: of what can be placed, seen along the normal
 };
 
+/// How a mold leans while it is filled, or had better.
+struct LeaningMold {
+    double degrees = 0;    ///< that its top leans
+    double towards = 0;    ///< as PourTilt's
+    double airUpright = 0; ///< mm³ that stay when it does not lean
+    double air = 0;        ///< mm³ that stay when it does
+    bool applied = false;  ///< traps and vents are those of the leaning mold; else a suggestion
+};
+
 /// Two halves, what solidifies in them, and the proof that they come off.
 struct Mold {
     MoldHalf half1;
@@ -67,11 +76,12 @@ struct Mold {
     std::vector<ThinSteel> steel;                           ///< by pair of names, thinnest first
     std::vector<ThinSteel> steelOfEach;                     ///< by pair of features, thinnest first
     std::vector<MoldFeature> features;
-    std::vector<double> pathLengths;   ///< mm from the spout's mouth to each cavity's gate
-    double trappedAir = 0;             ///< mm³ that no vent serves
-    Certificate castCertificate;       ///< of `cast` as it stands in the mold's frame
-    std::vector<std::string> problems; ///< English; what of mold.md's list does not hold
-    std::vector<std::string> notes;    ///< English; what is proved but should be known
+    std::vector<double> pathLengths;    ///< mm from the spout's mouth to each cavity's gate
+    double trappedAir = 0;              ///< mm³ that no vent serves
+    std::optional<LeaningMold> leaning; ///< where it leans, or less air would stay if it did
+    Certificate castCertificate;        ///< of `cast` as it stands in the mold's frame
+    std::vector<std::string> problems;  ///< English; what of mold.md's list does not hold
+    std::vector<std::string> notes;     ///< English; what is proved but should be known
 
     [[nodiscard]] bool verified() const { return problems.empty() && castCertificate.holds(); }
 };

@@ -99,6 +99,8 @@ Result<void> MoldBuilder::assemble() {
     for (const int side : {1, 2}) {
         HalfSurfaces& half = surfaces[side == 1 ? 0 : 1];
         addHalf(side, half, solids);
+        if (Result<void> done = addOverflowSurfaces(side, half, solids); !done)
+            return done;
         for (const Channel& channel : m_net.channels) {
             std::optional<IndexedMesh> surface = prismSurface(channel.prism, side, channel.guests);
             if (!surface)
@@ -297,6 +299,7 @@ std::vector<Hollow> MoldBuilder::hollows() const {
                        main,
                        main && !star() && isByHand(Placeable::Spout, 0)});
     }
+    addOverflows(all);
     const auto add = [&](const char* name, IndexedMesh mesh, bool opensOutside, Placeable kind, int number) {
         all.push_back({name,
                        shared(std::move(mesh)),

@@ -7,6 +7,7 @@
 #include "mold/circle_layout.h"
 #include "mold/free_layout.h"
 #include "mold/mold_proof.h"
+#include "mold/overflows.h"
 #include "mold/shrink.h"
 #include "mold/star_runners.h"
 
@@ -33,7 +34,7 @@ struct Reach {
 };
 Reach farthestReach(const MoldSettings& settings, double castSize) {
     const LayoutSettings& layout = settings.layout;
-    const double cell = castSize + 2 * layout.spacing + 2 * settings.spout.diameter;
+    const double cell = castSize + 2 * spacingWithOverflows(settings) + 2 * settings.spout.diameter;
     double cavities = std::max(layout.rows, layout.columns) * cell / 2;
     if (layout.arrangement == Arrangement::Circle)
         cavities = (layout.rows * layout.columns / 2.0 + 2) * (cell + settings.spout.funnel);
@@ -190,7 +191,9 @@ Result<Layout> MoldBuilder::layoutAsked() const {
         // A gate at a cavity's very edge stays clear of the main runner.
         room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.spacing + 1);
     }
-    return layoutOf(kinds(), settings, room);
+    LayoutSettings roomy = settings;
+    roomy.spacing = spacingWithOverflows(m_mold.settings);
+    return layoutOf(kinds(), roomy, room);
 }
 
 Result<Layout> MoldBuilder::layoutOnCircle() const {
@@ -210,7 +213,7 @@ Result<Layout> MoldBuilder::layoutOnCircle() const {
         room = {widestOfSpout(), m_widths.runner,
                 starHub(static_cast<int>(kinds().size()), m_widths.runner, m_widths.main) +
                     2 * m_widths.beside};
-    Layout layout = circleLayout(kinds(), tips, m_mold.settings.layout.spacing, room);
+    Layout layout = circleLayout(kinds(), tips, spacingWithOverflows(m_mold.settings), room);
     centreLayout(layout, kinds());
     return layout;
 }
@@ -222,6 +225,7 @@ Result<void> MoldBuilder::findEntries() {
     plan.gate = m_widths.gate;
     plan.channelDraft = m_rules.draftDegrees;
     plan.up = up();
+    plan.tellsAir = m_tellsAir;
     if (spoutEach())
         for (std::size_t kind = 0; kind < kinds().size(); ++kind)
             plan.cavityAt.push_back(m_layout.copies[std::min(kind, m_layout.copies.size() - 1)].offset);
@@ -269,6 +273,7 @@ Result<JointPlan> MoldBuilder::jointPlan(std::size_t kind) const {
     plan.up = up();
     plan.spout = spoutEach();
     plan.ventsInPlane = !star();
+    plan.overflows = m_overflows[kind];
     plan.blockEnd = {m_block.end(1), -m_block.end(2)};
     if (inPlane()) {
         const Result<std::array<double, 2>> slope = m_rules.slope(-kinds()[kind].inlet);

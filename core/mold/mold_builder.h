@@ -6,6 +6,7 @@
 #include "mold/cavity_joints.h"
 #include "mold/half.h"
 #include "mold/mold.h"
+#include "mold/pour_tilt.h"
 #include "mold/registration.h"
 
 #include <algorithm>
@@ -25,14 +26,20 @@ public:
     Result<void> place(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state);
     /// Kinds of cavities, and what of them does not depend on where features stand.
     Result<void> makeKinds();
+    /// How the mold leans while it is filled.
+    Result<void> findTilt();
     /// What stands by hand, if that is to be other than in the settings.
     Result<void> setPlaced(const PlacedFeatures& placed);
     /// The cavities' places, and the room that channels need.
     Result<void> layOut();
     /// Where cavities are filled, vented, and pushed out.
     Result<void> findEntries();
+    /// Wells beside the cavities.
+    Result<void> findOverflows();
     /// Block, keys and slits; the block grows until all have room.
     Result<void> fitBlock();
+    /// What air leaning saves, or would.
+    Result<void> tellOfTilt();
     /// What will cross a cavity's wall, and the runners.
     Result<void> planJoints() { return makeJoints(&plannedCavity); }
     /// The same, joined to the cavities.
@@ -74,8 +81,10 @@ private:
     [[nodiscard]] bool lying() const { return spout().on && spout().resting == Resting::Lying; }
     /// Up while the mold is filled.
     [[nodiscard]] Eigen::Vector3d up() const {
-        return lying() ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+        return upWhenLeaning(lying() ? Resting::Lying : Resting::Standing, m_tilt.degrees, m_tilt.towards);
     }
+    [[nodiscard]] Result<double> airWhenLeaning(const PourTilt& tilt) const;
+    [[nodiscard]] std::optional<LeaningMold> bestLean() const;
     [[nodiscard]] const SpoutSettings& spout() const { return m_mold.settings.spout; }
     [[nodiscard]] bool channels() const { return spout().on || m_mold.settings.vents.on; }
     [[nodiscard]] bool isByHand(Placeable kind, int number) const;
@@ -116,17 +125,24 @@ private:
     void listStubs(const CavityCopy& copy);
     void listChannels();
     void comparePaths();
+    void listOverflows(const CavityCopy& copy);
     void listRegistration();
     void listBores(const CavityCopy& copy);
     void listBolts();
     void addPlaceable(MoldFeature feature, const PlacedFeature& stands, PlanShape outline,
                       const Eigen::Vector2d& origin = Eigen::Vector2d::Zero());
     [[nodiscard]] std::vector<Hollow> hollows() const;
+    [[nodiscard]] std::vector<PlanShape> besideOverflows(std::size_t kind) const;
+    [[nodiscard]] std::vector<PlanShape> overflowShapes(const CavityCopy& copy) const;
+    void addOverflows(std::vector<Hollow>& all) const;
+    Result<void> addOverflowSurfaces(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids) const;
     [[nodiscard]] std::vector<Hollow> attachedTo(std::size_t kind) const;
     [[nodiscard]] SharedMesh sprues() const;
     void compareWithMachines();
 
     Mold m_mold;
+    PourTilt m_tilt;
+    bool m_tellsAir = false; ///< traps are found even where nothing serves them
     double m_grid = 0;
     double m_farthest = 0; ///< mm from the middle at which a feature may stand
     ChannelRules m_rules;
@@ -134,8 +150,9 @@ private:
     IndexedMesh m_cast; ///< placed
     SideLabels m_labels;
     std::shared_ptr<const CavityShapes> m_shapes;
-    Entries m_entries;                   ///< by kind
-    std::shared_ptr<SteelTrees> m_trees; ///< shared by copies of this builder
+    Entries m_entries;                              ///< by kind
+    std::vector<std::vector<Overflow>> m_overflows; ///< by kind
+    std::shared_ptr<SteelTrees> m_trees;            ///< shared by copies of this builder
     Layout m_layout;
     Block m_block;
     std::vector<Eigen::Vector2d> m_boltPlaces;

@@ -4,6 +4,7 @@
 #include "exchange/mesh_file.h"
 #include "mesh/measures.h"
 #include "mold/drawing.h"
+#include "mold/pour_tilt.h"
 #include "mold/three_mf.h"
 
 #include <nlohmann/json.hpp>
@@ -177,6 +178,21 @@ Result<void> writeAlso(const Mold& mold, const std::filesystem::path& folder, co
     return done;
 }
 
+/// How it leans while it is filled, or had better; null where upright is best.
+Json pourTilt(const Mold& mold) {
+    if (!mold.leaning)
+        return nullptr;
+    const LeaningMold& lean = *mold.leaning;
+    const Resting resting = mold.settings.spout.resting;
+    return {{"degrees", lean.degrees},
+            {"towards_deg", lean.towards},
+            {"towards", leaningWords(resting, lean.towards)},
+            {"up", vectorJson(upWhenLeaning(resting, lean.degrees, lean.towards))},
+            {"trapped_air_upright", lean.airUpright},
+            {"trapped_air", lean.air},
+            {"applied", lean.applied}};
+}
+
 } // namespace
 
 std::string moldJson(const Mold& mold) {
@@ -209,6 +225,7 @@ std::string moldJson(const Mold& mold) {
                   {"features", features(mold)},
                   {"path_lengths", mold.pathLengths},
                   {"trapped_air", mold.trappedAir},
+                  {"pour_tilt", pourTilt(mold)},
                   {"notes", mold.notes},
                   {"problems", mold.problems}};
     return whole.dump(2) + "\n";

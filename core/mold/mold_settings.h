@@ -78,6 +78,16 @@ enum class Resting {
     Lying     ///< flat, half 1 above: a spout through half 1 for each solid of each cavity
 };
 
+/// How the mold leans while it is filled, so that less air stays in it.
+struct PourTilt {
+    bool automatic = false; ///< as found best; the numbers are not asked
+    double degrees = 0;     ///< that its top leans
+    double towards = 0;     ///< degrees about its axis: 0 to the right (+x of the mold's frame), 90 where it
+                            ///< stands to half 1 (+z), where it lies to the back (+y)
+
+    bool operator==(const PourTilt&) const = default;
+};
+
 /// A spout in the parting plane with its funnel, and with several cavities the runners between them. Sections
 /// are drafted trapezoids: half a circle would have no draft at its rim.
 struct SpoutSettings {
@@ -89,6 +99,7 @@ struct SpoutSettings {
     PourDirection pour = PourDirection::Automatic;
     Resting resting = Resting::Standing;
     double neck = 4; ///< mm; a spout through a half widens outwards, so it must break off here
+    PourTilt tilt;
 
     bool operator==(const SpoutSettings&) const = default;
 };
@@ -101,6 +112,17 @@ struct VentSettings {
     double depth = 0; ///< mm, of vents in the parting plane, both halves together; 0: as a spout's, by width
 
     bool operator==(const VentSettings&) const = default;
+};
+
+/// Closed wells in the parting plane beside the cavity, each joined to it by a thin channel: they take the
+/// material that is cold or full of air by the time it gets there.
+struct OverflowSettings {
+    int count = 0;        ///< for each solid of each cavity
+    double diameter = 6;  ///< mm, of the well in the parting plane
+    double channel = 1.5; ///< mm, the channel's width there; 0.3 of the well's at most
+    double length = 2.5;  ///< mm between the cavity and the well
+
+    bool operator==(const OverflowSettings&) const = default;
 };
 
 /// Frusta on half 2 in sockets of half 1. The first is larger, so that the halves fit one way only.
@@ -185,6 +207,7 @@ struct MoldSettings {
     ShrinkSettings shrink;
     SpoutSettings spout;
     VentSettings vents;
+    OverflowSettings overflows;
     KeySettings keys;
     SlitSettings slits;
     BoltSettings bolts;

@@ -42,6 +42,8 @@ Result<MoldSketcher> MoldSketcher::prepared(const IndexedMesh& cast, const SideL
     Result<void> done = builder.place(cast, labels, state);
     if (done)
         done = builder.makeKinds();
+    if (done)
+        done = builder.findTilt();
     if (!done)
         return std::unexpected(done.error());
     return MoldSketcher(std::make_unique<State>(State{std::move(builder), std::move(unplaced), {}, {}}));
@@ -66,8 +68,8 @@ Result<MoldSketch> MoldSketcher::sketch(const PlacedFeatures& placed) {
         m_state->entries = builder.entries();
         m_state->entriesPlaced = ofEntries;
     }
-    for (Result<void> (MoldBuilder::*work)() :
-         {&MoldBuilder::fitBlock, &MoldBuilder::planJoints, &MoldBuilder::measureSteel})
+    for (Result<void> (MoldBuilder::*work)() : {&MoldBuilder::findOverflows, &MoldBuilder::fitBlock,
+                                                &MoldBuilder::planJoints, &MoldBuilder::measureSteel})
         if (done)
             done = (builder.*work)();
     if (!done)
@@ -86,7 +88,7 @@ Result<MoldSketch> MoldSketcher::sketch(const PlacedFeatures& placed) {
 }
 
 const char* steelName(Placeable kind) {
-    constexpr std::array names = {"Spout", "Vent", "Key", "Slit", "Bolt hole", "Ejector hole"};
+    constexpr std::array names = {"Spout", "Vent", "Key", "Slit", "Bolt hole", "Ejector hole", "Overflow"};
     return names.at(static_cast<std::size_t>(kind));
 }
 

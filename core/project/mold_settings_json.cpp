@@ -58,6 +58,10 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"vents", "diameter"}, mold.vents.diameter);
     at.value({"vents", "depth"}, mold.vents.depth);
     at.value({"vents", "smallest_trap"}, mold.vents.smallestTrap);
+    at.value({"overflows", "count"}, mold.overflows.count);
+    at.value({"overflows", "diameter"}, mold.overflows.diameter);
+    at.value({"overflows", "channel"}, mold.overflows.channel);
+    at.value({"overflows", "length"}, mold.overflows.length);
     at.value({"keys", "count"}, mold.keys.count);
     at.value({"keys", "diameter"}, mold.keys.diameter);
     at.value({"keys", "height"}, mold.keys.height);
@@ -74,6 +78,9 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"bolts", "clear"}, mold.bolts.clear);
     at.name({"spout", "resting"}, mold.spout.resting, restingNames);
     at.value({"spout", "neck"}, mold.spout.neck);
+    at.value({"spout", "tilt", "automatic"}, mold.spout.tilt.automatic);
+    at.value({"spout", "tilt", "degrees"}, mold.spout.tilt.degrees);
+    at.value({"spout", "tilt", "towards_deg"}, mold.spout.tilt.towards);
     at.value({"hollow", "wall"}, mold.hollow.wall);
     at.value({"stock"}, mold.stock);
     at.features({"placed"}, mold.placed);

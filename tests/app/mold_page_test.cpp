@@ -128,6 +128,7 @@ TEST(MoldPage, FeaturesAreChosenBuiltAndUndone) {
     driver.type("field-shrink", "1.5");
     ASSERT_NO_FATAL_FAILURE(choose(driver, "choice-spout", 1));
     ASSERT_NO_FATAL_FAILURE(choose(driver, "choice-vents", 1));
+    driver.type("field-overflows", "1");
     driver.type("field-keys", "4");
     driver.type("field-slits", "2");
     const MoldSettings& settings = driver.bench().project().mold;
@@ -142,11 +143,12 @@ TEST(MoldPage, FeaturesAreChosenBuiltAndUndone) {
     EXPECT_TRUE(mold.verified());
     EXPECT_EQ(mold.cavities, 2);
     EXPECT_EQ(count(mold, "spout"), 1);
+    EXPECT_EQ(count(mold, "overflow"), 2);
     EXPECT_EQ(count(mold, "key"), 4);
     EXPECT_EQ(count(mold, "slit"), 2);
     driver.shot("80-mold-features");
     // Each was a step of its own.
-    for (int step = 0; step < 6; ++step)
+    for (int step = 0; step < 7; ++step)
         driver.press("Ctrl+Z");
     EXPECT_EQ(driver.bench().project().mold, plain);
     EXPECT_FALSE(driver.bench().moldIsCurrent());

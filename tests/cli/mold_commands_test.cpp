@@ -231,12 +231,19 @@ TEST_F(MoldCommands, MoldWithAllItsFeaturesVerifies) {
 }
 
 TEST_F(MoldCommands, AMoldThatLiesFlatIsFilledThroughHalf1) {
-    const test::Run run = test::runProgram({"mold", project(m_box), "--out", in("out"), "--spout", "through",
-                                            "--neck", "3", "--vents", "auto", "--hollow", "1.5", "--stock",
-                                            "60,100", "--json", "-", "--density", "1.2"});
+    std::vector<std::string> words = {
+        "mold", project(m_box), "--out", in("out"), "--spout", "through", "--neck", "3",         "--vents",
+        "auto", "--hollow",     "1.5",   "--stock", "60,100",  "--json",  "-",      "--density", "1.2"};
+    words.insert(words.end(), {"--overflow", "2", "--overflow-diameter", "5"});
+    const test::Run run = test::runProgram(words);
     ASSERT_EQ(run.exitCode, 0) << run.err;
     const Json json = Json::parse(run.out);
     EXPECT_TRUE(json["verified"]);
+    EXPECT_EQ(std::ranges::count_if(json["features"],
+                                    [](const Json& feature) {
+                                        return feature["kind"] == "overflow" && feature["diameter"] == 5;
+                                    }),
+              2);
     EXPECT_GT(json["sprue_volume"], 0);
     EXPECT_GT(json["shot"]["hollow"]["mass_g"], 0);
     for (const int axis : {0, 1}) {
@@ -280,7 +287,22 @@ TEST_F(MoldCommands, MoldRefusesWhatCannotBe) {
     EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--cavities", "2y2"}).exitCode, 2);
     EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--vents", "auto"}).exitCode, 2);
     EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--shrink", "70"}).exitCode, 2);
+    EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--pour-tilt", "steep"}).exitCode, 2);
     EXPECT_EQ(test::runProgram({"mold", oblique, "--out", in("out"), "--material", "gold"}).exitCode, 2);
+}
+
+TEST_F(MoldCommands, TheMoldLeansWhileItIsFilled) {
+    const test::Run run = test::runProgram({"mold", project(m_box), "--out", in("out"), "--spout", "auto",
+                                            "--pour-tilt", "20", "--pour-towards", "90", "--json", "-"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_TRUE(json["verified"]);
+    const Json& tilt = json["pour_tilt"];
+    EXPECT_EQ(tilt["towards"], "half 1");
+    EXPECT_TRUE(tilt["applied"]);
+    EXPECT_NEAR(tilt["up"][2].get<double>(), -std::sin(radians(20)), 1e-12);
+    EXPECT_GT(tilt["trapped_air"].get<double>(), tilt["trapped_air_upright"].get<double>())
+        << "a box is best filled upright";
 }
 
 TEST_F(MoldCommands, AMaterialBringsItsShrinkAndDensity) {

@@ -66,12 +66,15 @@ TEST(GuideFiles, PlacesAreReadFromAListOfFeaturesSuchAsAMoldsOwn) {
     const Result<PlacedFeatures> placed = read(R"({"features": [
         {"kind": "block", "name": "Block", "place": [0, 0, 0]},
         {"kind": "key", "number": 2, "at": [-20.5, 3], "diameter": 6},
+        {"kind": "overflow", "number": 3, "at": [7, -8]},
         {"kind": "ejector", "number": 1, "at": [1, 2]},
         {"kind": "ejector", "number": 1, "at": [1, 2]},
         {"kind": "spout", "number": 1, "at": [4.25, 60]}]})");
     ASSERT_TRUE(placed) << placed.error().english();
-    const PlacedFeatures expected = {
-        {Placeable::Spout, 0, {4.25, 60}}, {Placeable::Key, 1, {-20.5, 3}}, {Placeable::Ejector, 0, {1, 2}}};
+    const PlacedFeatures expected = {{Placeable::Spout, 0, {4.25, 60}},
+                                     {Placeable::Key, 1, {-20.5, 3}},
+                                     {Placeable::Ejector, 0, {1, 2}},
+                                     {Placeable::Overflow, 2, {7, -8}}};
     EXPECT_EQ(*placed, expected);
     for (const char* entry :
          {R"({"kind": "key", "number": 0, "at": [1, 2]})", R"({"kind": "key", "at": [1, 2]})",

@@ -18,6 +18,8 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     settings.slits = {2, 5, 10, 1};
     settings.bolts = {4, 5, 2, 2.5};
     settings.ejectors = {3, 2.5, 1};
+    settings.overflows = {2, 8, 2, 3};
+    settings.spout.tilt = {true, 12, 135};
     settings.spout.resting = Resting::Lying;
     settings.spout.neck = 2.5;
     settings.hollow.wall = 3;
