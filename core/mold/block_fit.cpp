@@ -87,6 +87,13 @@ void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
     for (const double axis : m_layout.runnerAxes)
         obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
                                           {all.max().x() + widths.gate, axis + widths.runner / 2}));
+    for (const CavityCopy& copy : m_layout.copies)
+        for (const Gate& gate : (*m_entries)[copy.kind].gates) {
+            const Vector2d tip = gate.tip + copy.offset;
+            obstacles.push_back(
+                planRectangle({tip.x() - widths.gate / 2, tip.y()},
+                              {tip.x() + widths.gate / 2, copy.offset.y() + endOfStubs(copy.kind)}));
+        }
 }
 
 Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {

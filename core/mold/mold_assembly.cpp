@@ -166,7 +166,9 @@ Result<void> MoldBuilder::measure() {
 
 Result<void> MoldBuilder::measureSteel() {
     constexpr double furthest = 1000;
-    m_mold.steelOfEach = thinnestSteel(hollows(), m_block, furthest, *m_trees);
+    m_mold.hollows = hollows();
+    m_mold.block = m_block;
+    m_mold.steelOfEach = thinnestSteel(m_mold.hollows, m_block, furthest, *m_trees);
     m_mold.steel = byNames(m_mold.steelOfEach);
     m_mold.minWall = m_mold.steel.front().thickness;
     m_mold.minWallPlace = m_mold.steel.front().place;
