@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "cli/insert_options.h"
 #include "mold/mold_settings.h"
 
 #include <optional>
@@ -16,7 +17,8 @@ namespace moldwright::cli {
 
 /// Options that say what a mold is made of. What is not given stays as the project has it.
 struct MoldOptions {
-    /// Declares --wall, --cavities, --spout, --vents, --keys, --slits, --shrink and those that refine them.
+    /// Declares --wall, --cavities, --spout, --vents, --keys, --slits, --shrink, --pockets, --plaque and
+    /// those that refine them.
     void declare(CLI::App& app);
 
     /// `settings` with what was given. Errors: Usage.
@@ -56,6 +58,7 @@ private:
     std::optional<double> keyDiameter, keyHeight, keyClearance, keyLean, slitDepth, slitWidth, slitHeight;
     std::optional<int> bolts, ejectors, ejectorSide;
     std::optional<double> boltDiameter, boltWall, boltClear, ejectorDiameter;
+    InsertOptions inserts;
 };
 
 } // namespace moldwright::cli

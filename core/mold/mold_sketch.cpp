@@ -86,7 +86,7 @@ Result<MoldSketch> MoldSketcher::sketch(const PlacedFeatures& placed) {
 }
 
 const char* steelName(Placeable kind) {
-    constexpr std::array names = {"Spout", "Vent", "Key", "Slit", "Bolt hole", "Ejector hole"};
+    constexpr std::array names = {"Spout", "Vent", "Key", "Slit", "Bolt hole", "Ejector hole", "Pocket"};
     return names.at(static_cast<std::size_t>(kind));
 }
 

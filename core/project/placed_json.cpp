@@ -60,11 +60,12 @@ Result<PlacedFeatures> placedFrom(const Json& list, const std::string& where) {
         const std::string which = std::to_string(i + 1);
         const std::optional<PlacedFeature> feature = featureIn(entry);
         if (!feature)
-            return failure(ErrorCode::BadInput,
-                           MW_TEXT("Guides",
-                                   "{0}: entry {1} needs a \"kind\" (spout, vent, key, slit, bolt or "
-                                   "ejector), a \"number\" from 1, and \"at\" with two numbers, mm."),
-                           {where, which});
+            return failure(
+                ErrorCode::BadInput,
+                MW_TEXT("Guides",
+                        "{0}: entry {1} needs a \"kind\" (spout, vent, key, slit, bolt, "
+                        "ejector or pocket), a \"number\" from 1, and \"at\" with two numbers, mm."),
+                {where, which});
         const auto before = placeByHand(placed, feature->kind, feature->number);
         if (before && *before != feature->place)
             return failure(ErrorCode::BadInput,

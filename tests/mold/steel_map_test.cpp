@@ -138,6 +138,7 @@ TEST(SteelMap, AgreesWithTheThinnestSteelThatIsTold) {
 TEST(SteelMap, KeysAreNoWalls) {
     MoldSettings settings;
     settings.keys.count = 4;
+    settings.keys.clearance = 0; // their walls touch those of their sockets
     const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), settings);
     ASSERT_TRUE(mold);
     const SteelMap map = *steelMap(*mold, 2);
