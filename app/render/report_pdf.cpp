@@ -167,10 +167,14 @@ void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem:
     for (const ReportSection& half : data.halves)
         y = drawSection(paper, Paper::left, y, column, half) + 4;
     if (!data.halves.empty()) {
-        const double end = drawPicture(paper, {second, 27, column, 62}, imageIn(pictures, openedPicture),
-                                       QStringLiteral("Opened"),
-                                       QStringLiteral("Each half along its own direction, the cast between"));
-        y = std::max(y, end) + 3;
+        double end = drawPicture(paper, {second, 27, column, 36}, imageIn(pictures, openedPicture),
+                                 QStringLiteral("Opened"),
+                                 QStringLiteral("Each half along its own direction, the cast between"));
+        end =
+            drawPicture(paper, {second, end + 1, column, 24}, imageIn(pictures, steelPicture),
+                        QStringLiteral("Steel"), QStringLiteral("Behind the walls, in mm; too thin is red"));
+        end = drawSteelScale(paper, second, end, column, data.leastSteel);
+        y = std::max(y, end) + 1;
     }
     if (!data.checks.empty())
         y = drawChecks(paper, QStringLiteral("Certificate, on the written halves"), data.checks, y) + 2;

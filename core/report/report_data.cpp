@@ -235,6 +235,7 @@ ReportData reportData(const ReportSubject& subject) {
     data.kept = kept(subject);
     if (subject.mold) {
         data.bars = draftBars(*subject.mold->cast, subject.mold->directions);
+        data.leastSteel = subject.mold->settings.leastSteel;
         data.halves = halves(*subject.mold);
         data.checks = checks(*subject.mold);
         data.defaults = defaults(*subject.mold);
