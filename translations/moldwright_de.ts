@@ -1015,6 +1015,14 @@
         <source>Bring what is chosen in the project into sight; else everything.</source>
         <translation>Bringt ins Bild, was im Projekt gewählt ist, sonst alles.</translation>
     </message>
+    <message>
+        <source>S&amp;teel</source>
+        <translation>S&amp;tahl</translation>
+    </message>
+    <message>
+        <source>Paint the walls of the mold by the steel behind them, in mm.</source>
+        <translation>Die Wände der Form nach dem Stahl dahinter einfärben, in mm.</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1049,6 +1057,10 @@
     <message>
         <source>Difference</source>
         <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
     </message>
 </context>
 <context>
@@ -1193,10 +1205,6 @@
         <translation>{0}: Region {1} braucht ein &quot;weight&quot; von 1 (wie der Rest) bis 65536, oder mit &quot;faces&quot; eine Liste davon, eines für jede.</translation>
     </message>
     <message>
-        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt, ejector or overflow), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
-        <translation>{0}: Eintrag {1} braucht ein „kind“ (spout, vent, key, slit, bolt, ejector oder overflow), eine „number“ ab 1 und „at“ mit zwei Zahlen in mm.</translation>
-    </message>
-    <message>
         <source>{0}: entry {1} puts a feature to another place than an entry before it.</source>
         <translation>{0}: Eintrag {1} setzt ein Element an einen anderen Ort als ein früherer Eintrag.</translation>
     </message>
@@ -1207,6 +1215,10 @@
     <message>
         <source>The place of cavity {0} needs &quot;at&quot; with two numbers, mm.</source>
         <translation>Der Platz von Kavität {0} braucht „at“ mit zwei Zahlen, mm.</translation>
+    </message>
+    <message>
+        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt, ejector, overflow or pocket), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
+        <translation>{0}: Eintrag {1} braucht ein „kind“ (spout, vent, key, slit, bolt, ejector, overflow oder pocket), eine „number“ ab 1 und „at“ mit zwei Zahlen in mm.</translation>
     </message>
 </context>
 <context>
@@ -1451,10 +1463,6 @@
         <translation>Entlüftungen brauchen einen Einguss: Ohne ihn ist nicht bestimmt, wo beim Füllen oben ist.</translation>
     </message>
     <message>
-        <source>There is no room for {0} keys, {1} slits and {2} bolt holes. Ask for fewer or smaller ones.</source>
-        <translation>Es ist kein Platz für {0} Passstifte, {1} Schlitze und {2} Schraubenlöcher. Verlangen Sie weniger oder kleinere.</translation>
-    </message>
-    <message>
         <source>A shrink of {0} % is no shrink of a material: give less than 50 %.</source>
         <translation>{0} % ist keine Schwindung eines Werkstoffs: bitte weniger als 50 % angeben.</translation>
     </message>
@@ -1573,6 +1581,38 @@
 <message>
         <source>A mold cannot lean by {0}° while it is filled: 0 to {1}° are possible.</source>
         <translation>Eine Form kann beim Füllen nicht um {0}° geneigt sein: 0 bis {1}° sind möglich.</translation>
+    </message>
+    <message>
+        <source>There is no room for {0} keys, {1} slits, {2} bolt holes and {3} pockets. Ask for fewer or smaller ones.</source>
+        <translation>Es ist kein Platz für {0} Passstifte, {1} Schlitze, {2} Schraubenlöcher und {3} Einlegertaschen. Verlangen Sie weniger oder kleinere.</translation>
+    </message>
+    <message>
+        <source>Measuring the steel was cancelled.</source>
+        <translation>Das Messen des Stahls wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is no letter &quot;{0}&quot; for a plaque. There are A to Z, 0 to 9, letters with Western marks, and - . , : / % ° # + ( ).</source>
+        <translation>Für ein Schild gibt es das Zeichen „{0}“ nicht. Es gibt A bis Z, 0 bis 9, Buchstaben mit westlichen Zeichen und - . , : / % ° # + ( ).</translation>
+    </message>
+    <message>
+        <source>The plaque&apos;s text has no room on the back of half {0}, not even with letters of {1} mm. Take smaller letters, fewer words, more lines (| between them) or a larger block.</source>
+        <translation>Die Schrift des Schildes hat auf dem Rücken von Hälfte {0} keinen Platz, auch nicht mit Buchstaben von {1} mm. Nehmen Sie kleinere Buchstaben, weniger Wörter, mehr Zeilen (dazwischen |) oder einen größeren Block.</translation>
+    </message>
+    <message>
+        <source>Letters of {0} mm have strokes of {1} mm, and less than {2} mm cannot be printed or read. Make them {3} mm high or more.</source>
+        <translation>Buchstaben von {0} mm haben Striche von {1} mm; unter {2} mm lassen sie sich nicht drucken oder lesen. Machen Sie sie {3} mm hoch oder höher.</translation>
+    </message>
+    <message>
+        <source>A plaque {0} mm deep leaves less than {1} mm of steel to the cavities. Make it shallower, or floor and ceiling thicker.</source>
+        <translation>Ein {0} mm tiefes Schild lässt weniger als {1} mm Stahl bis zu den Kavitäten. Machen Sie es flacher oder Boden und Decke dicker.</translation>
+    </message>
+    <message>
+        <source>Letters of {0} mm are too small for a plaque {1} mm deep: their walls meet. Make it shallower, or them larger.</source>
+        <translation>Buchstaben von {0} mm sind zu klein für ein {1} mm tiefes Schild: Ihre Wände treffen sich. Machen Sie es flacher oder die Buchstaben größer.</translation>
+    </message>
+    <message>
+        <source>Pockets {0} mm deep leave less than {1} mm of steel at the back of half {2}. Make them shallower, or the half thicker.</source>
+        <translation>{0} mm tiefe Taschen lassen am Rücken von Hälfte {2} weniger als {1} mm Stahl. Machen Sie sie flacher oder die Hälfte dicker.</translation>
     </message>
 </context>
 <context>
@@ -2056,6 +2096,118 @@
         <source>0 to the right, 90 to half 1, or to the back of a mold that lies flat.</source>
         <translation>0 nach rechts, 90 zu Hälfte 1, oder bei einer liegenden Form nach hinten.</translation>
     </message>
+    <message>
+        <source>Insert pockets</source>
+        <translation>Einlegertaschen</translation>
+    </message>
+    <message>
+        <source>Pockets</source>
+        <translation>Taschen</translation>
+    </message>
+    <message>
+        <source>In the parting face, for nuts, magnets or dowels.</source>
+        <translation>In der Trennfläche, für Muttern, Magnete oder Stifte.</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einleger</translation>
+    </message>
+    <message>
+        <source>Its shape, seen along the normal.</source>
+        <translation>Seine Form, entlang der Normalen gesehen.</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Hexagon</source>
+        <translation>Sechskant</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>Seine Breite</translation>
+    </message>
+    <message>
+        <source>Diameter, across flats, or the side along y.</source>
+        <translation>Durchmesser, Schlüsselweite oder die Seite entlang y.</translation>
+    </message>
+    <message>
+        <source>Its length</source>
+        <translation>Seine Länge</translation>
+    </message>
+    <message>
+        <source>The side along x, of a rectangle.</source>
+        <translation>Die Seite entlang x, bei einem Rechteck.</translation>
+    </message>
+    <message>
+        <source>Pockets&apos; depth</source>
+        <translation>Tiefe der Taschen</translation>
+    </message>
+    <message>
+        <source>Into the half.</source>
+        <translation>In die Hälfte hinein.</translation>
+    </message>
+    <message>
+        <source>Pockets&apos; clearance</source>
+        <translation>Spiel der Taschen</translation>
+    </message>
+    <message>
+        <source>Round the insert, at the pocket&apos;s floor.</source>
+        <translation>Rings um den Einleger, am Boden der Tasche.</translation>
+    </message>
+    <message>
+        <source>Pockets in</source>
+        <translation>Taschen in</translation>
+    </message>
+    <message>
+        <source>Dowels ask for both halves.</source>
+        <translation>Stifte brauchen beide Hälften.</translation>
+    </message>
+    <message>
+        <source>Half 1</source>
+        <translation>Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Half 2</source>
+        <translation>Hälfte 2</translation>
+    </message>
+    <message>
+        <source>Plaque</source>
+        <translation>Schild</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>Engraved in the back of each half; | between lines. {part}, {half} and {shrink} are replaced; auto: all three. Empty: none.</source>
+        <translation>In den Rücken jeder Hälfte graviert; | zwischen Zeilen. {part}, {half} und {shrink} werden ersetzt; auto: alle drei. Leer: keine.</translation>
+    </message>
+    <message>
+        <source>Letters&apos; height</source>
+        <translation>Schrifthöhe</translation>
+    </message>
+    <message>
+        <source>Of capitals, 2.8 mm or more; 0: as large as there is room for.</source>
+        <translation>Der Großbuchstaben, mindestens 2,8 mm; 0: so groß, wie Platz ist.</translation>
+    </message>
+    <message>
+        <source>Letters&apos; depth</source>
+        <translation>Schrifttiefe</translation>
+    </message>
+    <message>
+        <source>Of their grooves.</source>
+        <translation>Ihrer Rillen.</translation>
+    </message>
+    <message>
+        <source>Halves 1 and 2</source>
+        <translation>Hälften 1 und 2</translation>
+    </message>
 </context>
 <context>
     <name>MoldPlacing</name>
@@ -2158,6 +2310,18 @@
 <message>
         <source>Overflow %1</source>
         <translation>Überlauf %1</translation>
+    </message>
+    <message>
+        <source>Insert pocket %1</source>
+        <translation>Einlegertasche %1</translation>
+    </message>
+    <message>
+        <source>insert pocket %1</source>
+        <translation>Einlegertasche %1</translation>
+    </message>
+    <message>
+        <source>the plaque on half %1</source>
+        <translation>dem Schild auf Hälfte %1</translation>
     </message>
 </context>
 <context>
@@ -5876,6 +6040,37 @@ Offene Punkte: %1.</translation>
     <message>
         <source>The report {0} could not be written. Choose another folder or free some space.</source>
         <translation>Der Bericht {0} konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+</context>
+<context>
+    <name>SteelPaint</name>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
+    </message>
+    <message>
+        <source>below %1, the least asked for</source>
+        <translation>unter %1, dem geforderten Mindestmaß</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Wird gemessen</translation>
+    </message>
+    <message>
+        <source>Shown on the halves: build the mold, or choose it.</source>
+        <translation>Zu sehen an den Hälften: Form bauen oder auswählen.</translation>
+    </message>
+    <message>
+        <source>behind the walls, thinnest %1</source>
+        <translation>hinter den Wänden, am dünnsten %1</translation>
     </message>
 </context>
 </TS>

@@ -1015,6 +1015,14 @@
         <source>Bring what is chosen in the project into sight; else everything.</source>
         <translation>使项目中所选内容可见；未选时显示全部。</translation>
     </message>
+    <message>
+        <source>S&amp;teel</source>
+        <translation>钢料厚度(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Paint the walls of the mold by the steel behind them, in mm.</source>
+        <translation>按壁后钢料厚度（毫米）给模具型壁着色。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1049,6 +1057,10 @@
     <message>
         <source>Difference</source>
         <translation>差异</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>钢料厚度</translation>
     </message>
 </context>
 <context>
@@ -1193,10 +1205,6 @@
         <translation>{0}：区域 {1} 需要一个 1（与其余相同）到 65536 的 &quot;weight&quot;，或者配合 &quot;faces&quot; 给出一个列表，每个面一个。</translation>
     </message>
     <message>
-        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt, ejector or overflow), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
-        <translation>{0}：条目 {1} 需要 “kind”（spout、vent、key、slit、bolt、ejector 或 overflow）、从 1 起的 “number”，以及含两个数（mm）的 “at”。</translation>
-    </message>
-    <message>
         <source>{0}: entry {1} puts a feature to another place than an entry before it.</source>
         <translation>{0}：条目 {1} 将一个特征放到与之前条目不同的位置。</translation>
     </message>
@@ -1207,6 +1215,10 @@
     <message>
         <source>The place of cavity {0} needs &quot;at&quot; with two numbers, mm.</source>
         <translation>型腔 {0} 的位置需要 &quot;at&quot;，含两个数字，单位 mm。</translation>
+    </message>
+    <message>
+        <source>{0}: entry {1} needs a &quot;kind&quot; (spout, vent, key, slit, bolt, ejector, overflow or pocket), a &quot;number&quot; from 1, and &quot;at&quot; with two numbers, mm.</source>
+        <translation>{0}：条目 {1} 需要 “kind”（spout、vent、key、slit、bolt、ejector、overflow 或 pocket）、从 1 起的 “number”，以及含两个数（mm）的 “at”。</translation>
     </message>
 </context>
 <context>
@@ -1451,10 +1463,6 @@
         <translation>排气孔需要浇道：没有浇道就无法知道浇注时哪边朝上。</translation>
     </message>
     <message>
-        <source>There is no room for {0} keys, {1} slits and {2} bolt holes. Ask for fewer or smaller ones.</source>
-        <translation>放不下 {0} 个定位键、{1} 条撬缝和 {2} 个螺栓孔。请减少数量或减小尺寸。</translation>
-    </message>
-    <message>
         <source>A shrink of {0} % is no shrink of a material: give less than 50 %.</source>
         <translation>{0} % 不是材料的收缩率：请给出小于 50 % 的值。</translation>
     </message>
@@ -1573,6 +1581,38 @@
 <message>
         <source>A mold cannot lean by {0}° while it is filled: 0 to {1}° are possible.</source>
         <translation>浇注时模具不能倾斜 {0}°：可以为 0 到 {1}°。</translation>
+    </message>
+    <message>
+        <source>There is no room for {0} keys, {1} slits, {2} bolt holes and {3} pockets. Ask for fewer or smaller ones.</source>
+        <translation>放不下 {0} 个定位键、{1} 条撬缝、{2} 个螺栓孔和 {3} 个嵌件槽。请减少数量或减小尺寸。</translation>
+    </message>
+    <message>
+        <source>Measuring the steel was cancelled.</source>
+        <translation>钢料厚度的测量已取消。</translation>
+    </message>
+    <message>
+        <source>There is no letter &quot;{0}&quot; for a plaque. There are A to Z, 0 to 9, letters with Western marks, and - . , : / % ° # + ( ).</source>
+        <translation>铭牌没有字符“{0}”。可用 A 至 Z、0 至 9、带西文变音符号的字母以及 - . , : / % ° # + ( )。</translation>
+    </message>
+    <message>
+        <source>The plaque&apos;s text has no room on the back of half {0}, not even with letters of {1} mm. Take smaller letters, fewer words, more lines (| between them) or a larger block.</source>
+        <translation>半模 {0} 的背面放不下铭牌文字，字高 {1} 毫米也不行。请减小字高、减少文字、增加行数（用 | 分隔）或加大模块。</translation>
+    </message>
+    <message>
+        <source>Letters of {0} mm have strokes of {1} mm, and less than {2} mm cannot be printed or read. Make them {3} mm high or more.</source>
+        <translation>字高 {0} 毫米时笔画宽 {1} 毫米，小于 {2} 毫米无法打印或辨认。请取 {3} 毫米或更高。</translation>
+    </message>
+    <message>
+        <source>A plaque {0} mm deep leaves less than {1} mm of steel to the cavities. Make it shallower, or floor and ceiling thicker.</source>
+        <translation>铭牌深 {0} 毫米，到型腔的钢料不足 {1} 毫米。请减小深度，或加厚底部和顶部。</translation>
+    </message>
+    <message>
+        <source>Letters of {0} mm are too small for a plaque {1} mm deep: their walls meet. Make it shallower, or them larger.</source>
+        <translation>字高 {0} 毫米对深 {1} 毫米的铭牌太小：槽壁会相交。请减小深度或加大字高。</translation>
+    </message>
+    <message>
+        <source>Pockets {0} mm deep leave less than {1} mm of steel at the back of half {2}. Make them shallower, or the half thicker.</source>
+        <translation>槽深 {0} 毫米时，半模 {2} 背面的钢料不足 {1} 毫米。请减小槽深，或加厚该半模。</translation>
     </message>
 </context>
 <context>
@@ -2056,6 +2096,118 @@
         <source>0 to the right, 90 to half 1, or to the back of a mold that lies flat.</source>
         <translation>0 朝右，90 朝半模 1；平放的模具则朝后。</translation>
     </message>
+    <message>
+        <source>Insert pockets</source>
+        <translation>嵌件槽</translation>
+    </message>
+    <message>
+        <source>Pockets</source>
+        <translation>槽数</translation>
+    </message>
+    <message>
+        <source>In the parting face, for nuts, magnets or dowels.</source>
+        <translation>位于分型面上，用于螺母、磁铁或销钉。</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>嵌件</translation>
+    </message>
+    <message>
+        <source>Its shape, seen along the normal.</source>
+        <translation>沿法线方向看的形状。</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>圆形</translation>
+    </message>
+    <message>
+        <source>Hexagon</source>
+        <translation>六角形</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Its width</source>
+        <translation>嵌件宽度</translation>
+    </message>
+    <message>
+        <source>Diameter, across flats, or the side along y.</source>
+        <translation>直径、对边宽度或沿 y 的边长。</translation>
+    </message>
+    <message>
+        <source>Its length</source>
+        <translation>嵌件长度</translation>
+    </message>
+    <message>
+        <source>The side along x, of a rectangle.</source>
+        <translation>矩形沿 x 的边长。</translation>
+    </message>
+    <message>
+        <source>Pockets&apos; depth</source>
+        <translation>槽深</translation>
+    </message>
+    <message>
+        <source>Into the half.</source>
+        <translation>深入半模的深度。</translation>
+    </message>
+    <message>
+        <source>Pockets&apos; clearance</source>
+        <translation>槽间隙</translation>
+    </message>
+    <message>
+        <source>Round the insert, at the pocket&apos;s floor.</source>
+        <translation>槽底处嵌件四周的间隙。</translation>
+    </message>
+    <message>
+        <source>Pockets in</source>
+        <translation>槽位于</translation>
+    </message>
+    <message>
+        <source>Dowels ask for both halves.</source>
+        <translation>销钉需要两半都有槽。</translation>
+    </message>
+    <message>
+        <source>Half 1</source>
+        <translation>半模 1</translation>
+    </message>
+    <message>
+        <source>Half 2</source>
+        <translation>半模 2</translation>
+    </message>
+    <message>
+        <source>Plaque</source>
+        <translation>铭牌</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Engraved in the back of each half; | between lines. {part}, {half} and {shrink} are replaced; auto: all three. Empty: none.</source>
+        <translation>刻在每个半模的背面；行间用 | 分隔。{part}、{half} 和 {shrink} 会被替换；auto：三者都刻。留空：不刻。</translation>
+    </message>
+    <message>
+        <source>Letters&apos; height</source>
+        <translation>字高</translation>
+    </message>
+    <message>
+        <source>Of capitals, 2.8 mm or more; 0: as large as there is room for.</source>
+        <translation>大写字母高度，至少 2.8 毫米；0：按可用空间取最大。</translation>
+    </message>
+    <message>
+        <source>Letters&apos; depth</source>
+        <translation>字深</translation>
+    </message>
+    <message>
+        <source>Of their grooves.</source>
+        <translation>刻槽的深度。</translation>
+    </message>
+    <message>
+        <source>Halves 1 and 2</source>
+        <translation>半模 1 和 2</translation>
+    </message>
 </context>
 <context>
     <name>MoldPlacing</name>
@@ -2158,6 +2310,18 @@
 <message>
         <source>Overflow %1</source>
         <translation>溢料槽 %1</translation>
+    </message>
+    <message>
+        <source>Insert pocket %1</source>
+        <translation>嵌件槽 %1</translation>
+    </message>
+    <message>
+        <source>insert pocket %1</source>
+        <translation>嵌件槽 %1</translation>
+    </message>
+    <message>
+        <source>the plaque on half %1</source>
+        <translation>半模 %1 的铭牌</translation>
     </message>
 </context>
 <context>
@@ -5876,6 +6040,37 @@ Open items: %1.</source>
     <message>
         <source>The report {0} could not be written. Choose another folder or free some space.</source>
         <translation>无法写出报告 {0}。请选择其他文件夹或腾出空间。</translation>
+    </message>
+</context>
+<context>
+    <name>SteelPaint</name>
+    <message>
+        <source>Steel</source>
+        <translation>钢料厚度</translation>
+    </message>
+    <message>
+        <source>below %1, the least asked for</source>
+        <translation>小于 %1（要求的最小值）</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 或更厚</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>正在测量</translation>
+    </message>
+    <message>
+        <source>Shown on the halves: build the mold, or choose it.</source>
+        <translation>显示在模具两半上：请先生成或选中模具。</translation>
+    </message>
+    <message>
+        <source>behind the walls, thinnest %1</source>
+        <translation>型壁之后，最薄 %1</translation>
     </message>
 </context>
 </TS>

@@ -6,6 +6,7 @@
 #include "cli/open_project.h"
 #include "exchange/user_folder.h"
 #include "mold/mold_files.h"
+#include "mold/plaque.h"
 #include "project/presets.h"
 #include "report/figures.h"
 
@@ -102,7 +103,7 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
             return std::unexpected(chosen.error());
         project.mold = *std::move(chosen);
     }
-    const Result<MoldSettings> settings = job.mold.applied(project.mold);
+    Result<MoldSettings> settings = job.mold.applied(project.mold);
     if (!settings)
         return std::unexpected(settings.error());
     if (!job.savePreset.empty())
@@ -110,6 +111,7 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
                 savePreset(userFolder("presets").value_or(""), job.savePreset, *settings);
             !saved)
             return std::unexpected(saved.error());
+    settings->plaque.text = plaqueText(settings->plaque.text, project.name);
     Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, *settings,
                                   session.task().part(0.1, 0.9));
     if (!mold)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/mold_options.h"
 
+#include "cli/option_values.h"
 #include "exchange/user_folder.h"
 #include "project/cavity_places.h"
 #include "project/guide_files.h"
@@ -14,17 +15,6 @@
 namespace moldwright::cli {
 
 namespace {
-
-template <class T>
-void take(T& value, const std::optional<T>& given) {
-    if (given)
-        value = *given;
-}
-
-CLI::Option* length(CLI::App& app, const std::string& name, std::optional<double>& value,
-                    const std::string& help) {
-    return app.add_option(name, value, help)->type_name("MM")->check(CLI::PositiveNumber.description(""));
-}
 
 CLI::Option* angle(CLI::App& app, const std::string& name, std::optional<double>& value,
                    const std::string& help) {
@@ -48,6 +38,7 @@ void MoldOptions::declare(CLI::App& app) {
     declareRegistration(app);
     declareHoles(app);
     declarePouring(app);
+    inserts.declare(app);
 }
 
 void MoldOptions::declareBlock(CLI::App& app) {
@@ -194,6 +185,7 @@ Result<MoldSettings> MoldOptions::applied(MoldSettings given) const {
         return std::unexpected(done.error());
     applyRegistration(settings);
     applyHoles(settings);
+    inserts.apply(settings);
     if (Result<void> done = applyPlaces(settings.placed); !done)
         return std::unexpected(done.error());
     return settings;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "cli/insert_options.h"
 #include "mold/mold_settings.h"
 
 #include <optional>
@@ -16,7 +17,8 @@ namespace moldwright::cli {
 
 /// Options that say what a mold is made of. What is not given stays as the project has it.
 struct MoldOptions {
-    /// Declares --wall, --cavities, --spout, --vents, --keys, --slits, --shrink and those that refine them.
+    /// Declares --wall, --cavities, --spout, --vents, --keys, --slits, --shrink, --pockets, --plaque and
+    /// those that refine them.
     void declare(CLI::App& app);
 
     /// `settings` with what was given. Errors: Usage.
@@ -62,6 +64,7 @@ private:
     std::string pourTilt;
     std::optional<double> pourTowards;
     std::optional<double> overflowDiameter, overflowChannel, overflowLength;
+    InsertOptions inserts;
 };
 
 } // namespace moldwright::cli

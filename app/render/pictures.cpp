@@ -6,9 +6,13 @@
 #include "castability/certificate.h"
 #include "exchange/mesh_file.h"
 #include "mesh/measures.h"
+#include "mold/steel_map.h"
 #include "scene/offscreen/picture.h"
+#include "scene/value_scale.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 namespace moldwright::render {
 
@@ -45,9 +49,11 @@ struct SideBySide {
     std::vector<Rgb> colours;
 };
 
-SideBySide sideBySide(const Mold& mold) {
-    const IndexedMesh& left = *mold.half2.mesh;
-    const IndexedMesh& right = *mold.half1.mesh;
+/// `colour(side, face)`: of each face of half 1 and 2.
+SideBySide sideBySide(const Mold& mold, const std::array<SharedMesh, 2>& halves,
+                      const std::function<Rgb(int side, int face)>& colour) {
+    const IndexedMesh& left = *halves[1];
+    const IndexedMesh& right = *halves[0];
     const double gap = 0.12 * mold.half1.size.x();
     IndexedMesh both;
     both.V.resize(left.V.rows() + right.V.rows(), 3);
@@ -58,9 +64,32 @@ SideBySide sideBySide(const Mold& mold) {
     both.F << left.F, (right.F.array() + left.vertexCount()).matrix();
     SideBySide result;
     result.mesh = std::make_shared<const IndexedMesh>(std::move(both));
-    result.colours.assign(static_cast<std::size_t>(left.faceCount()), onPaper().half2);
-    result.colours.resize(static_cast<std::size_t>(result.mesh->faceCount()), onPaper().half1);
+    for (const int side : {2, 1})
+        for (int f = 0; f < halves[static_cast<std::size_t>(side - 1)]->faceCount(); ++f)
+            result.colours.push_back(colour(side, f));
     return result;
+}
+
+Rgb colourOfHalf(int side) {
+    return side == 1 ? onPaper().half1 : onPaper().half2;
+}
+
+/// Both halves painted by the steel behind their walls.
+Result<SideBySide> steelOf(const Mold& mold) {
+    std::array<SteelMap, 2> maps;
+    for (const int side : {1, 2}) {
+        Result<SteelMap> map = steelMap(mold, side);
+        if (!map)
+            return std::unexpected(map.error());
+        maps[static_cast<std::size_t>(side - 1)] = *std::move(map);
+    }
+    const auto colours = scene::steelColours(onPaper().undercut);
+    return sideBySide(mold, {maps[0].surface, maps[1].surface}, [&](int side, int face) {
+        const SteelMap& map = maps[static_cast<std::size_t>(side - 1)];
+        const double thickness = map.thickness[static_cast<std::size_t>(face)];
+        return thickness < 0 ? colourOfHalf(side)
+                             : colours.at(static_cast<std::size_t>(map.scale.classOf(thickness)));
+    });
 }
 
 /// The picture without the empty paper round what is drawn.
@@ -134,8 +163,15 @@ Result<void> drawReportPictures(const Project& project, const Evaluation& evalua
                         fromFrontRight, draftPicture);
     }
     if (done && evaluation.mold) {
-        const SideBySide halves = sideBySide(*evaluation.mold);
+        const Mold& mold = *evaluation.mold;
+        const SideBySide halves = sideBySide(mold, {mold.half1.mesh, mold.half2.mesh},
+                                             [](int side, int /*face*/) { return colourOfHalf(side); });
         done = picture(halves.mesh, halves.colours, fromAbove, halvesPicture);
+        const Result<SideBySide> steel = steelOf(mold);
+        if (done && !steel)
+            return std::unexpected(steel.error());
+        if (done)
+            done = picture(steel->mesh, steel->colours, fromAbove, steelPicture);
         if (done)
             done = drawOpened(**context, *evaluation.mold, folder / openedPicture);
     }

@@ -14,10 +14,11 @@ constexpr const char* castPicture = "cast.png";
 constexpr const char* draftPicture = "draft.png";
 constexpr const char* halvesPicture = "halves.png";
 constexpr const char* openedPicture = "opened.png";
+constexpr const char* steelPicture = "steel.png";
 
 /// Draws the pictures of a report into `folder`, on white: the part with red undercuts, the cast, its draft
-/// map, the halves side by side with their parting faces up, and the opened mold; those that the project
-/// has. Errors:
+/// map, the halves side by side with their parting faces up, the same painted by the steel behind their
+/// walls, and the opened mold; those that the project has. Errors:
 /// Internal when this machine cannot draw, WriteFailed.
 [[nodiscard]] Result<void> drawReportPictures(const Project& project, const Evaluation& evaluation,
                                               const std::filesystem::path& folder);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "render/report_blocks.h"
 
+#include "mold/steel_map.h"
 #include "render/report_text.h"
 #include "report/figures.h"
 #include "scene/colours.h"
+#include "scene/value_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +138,23 @@ double drawDraftScale(Paper& paper, double y, double requiredDraft) {
         const double x = Paper::left + static_cast<double>(k) * w;
         paper.fill({x, y, w, 3}, colourOf(scene::draftClassColours()[k]));
         paper.text(x, y + 3.4, w, names[k], {7.5});
+    }
+    return y + 8;
+}
+
+double drawSteelScale(Paper& paper, double x, double y, double w, double leastSteel) {
+    const SteelScale scale{leastSteel};
+    const auto colours = scene::steelColours(scene::lightColours().undercut);
+    const double each = w / SteelScale::classes;
+    for (int c = 0; c < SteelScale::classes; ++c) {
+        const double left = x + c * each;
+        const QString from = words(readable(scale.from(c), 3));
+        paper.fill({left, y, each, 3}, colourOf(colours.at(static_cast<std::size_t>(c))));
+        paper.text(left, y + 3.4, each,
+                   c == 0                         ? QStringLiteral("< %1").arg(words(readable(leastSteel, 3)))
+                   : c == SteelScale::classes - 1 ? QStringLiteral("≥ %1 mm").arg(from)
+                                                  : QStringLiteral("≥ %1").arg(from),
+                   {7.5});
     }
     return y + 8;
 }

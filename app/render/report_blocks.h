@@ -27,6 +27,9 @@ double drawPicture(Paper& paper, const QRectF& area, const QImage& image, const 
 /// The seven classes of the draft map with their limits.
 double drawDraftScale(Paper& paper, double y, double requiredDraft);
 
+/// The seven classes of the map of steel, mm.
+double drawSteelScale(Paper& paper, double x, double y, double w, double leastSteel);
+
 /// Area per 5° of draft of one half; `highest` is the top of the scale, mm².
 double drawBars(Paper& paper, double x, double y, double w, const DraftBars& bars, int side, double highest,
                 double requiredDraft);

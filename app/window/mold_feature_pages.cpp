@@ -26,7 +26,7 @@ const QString prefix = u"feature-"_s; ///< then the kind and the number
 
 QString iconOf(Placeable kind) {
     const std::array names = {u"spout"_s, u"vent"_s,    u"key"_s,     u"slit"_s,
-                              u"bolt"_s,  u"ejector"_s, u"overflow"_s};
+                              u"bolt"_s,  u"ejector"_s, u"overflow"_s, u"pocket"_s};
     return names.at(static_cast<std::size_t>(kind));
 }
 
@@ -142,11 +142,12 @@ PropertyPage featurePage(const QString& id, const Workbench& bench, const Action
                               Words::tr("From the middle of the mold."), place});
     else
         for (const auto& [field, label] : {std::pair{u"feature-x"_s, u"X"_s}, {u"feature-y"_s, u"Y"_s}})
-            where.rows.push_back({field, label,
-                                  name.kind == Placeable::Key || name.kind == Placeable::Bolt
-                                      ? Words::tr("From the middle of the mold; up is where it is filled.")
-                                      : Words::tr("From the middle of its cavity; up is where it is filled."),
-                                  place});
+            where.rows.push_back(
+                {field, label,
+                 name.kind == Placeable::Key || name.kind == Placeable::Bolt || name.kind == Placeable::Pocket
+                     ? Words::tr("From the middle of the mold; up is where it is filled.")
+                     : Words::tr("From the middle of its cavity; up is where it is filled."),
+                 place});
     page.layout = u"%1"_s.arg(along.value_or(-1));
     page.sections = {std::move(where),
                      {Words::tr("Measured"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/mold_pages.h"
 
+#include "mold/plaque.h"
 #include "mold/pour_tilt.h"
 #include "project/cavity_places.h"
 #include "project/edits.h"
@@ -269,8 +270,58 @@ FieldSection closingFields() {
                         [](MoldSettings& mold) -> int& { return mold.ejectors.count; })}};
 }
 
+FieldSection pocketFields() {
+    const NumberProperty size = millimetres(1, 100);
+    return {
+        Words::tr("Insert pockets"),
+        {countField(u"pockets"_s, Words::tr("Pockets"),
+                    Words::tr("In the parting face, for nuts, magnets or dowels."), 12,
+                    [](MoldSettings& mold) -> int& { return mold.pockets.count; }),
+         {{u"pocket-shape"_s, Words::tr("Insert"), Words::tr("Its shape, seen along the normal."),
+           ChoiceProperty{{Words::tr("Round"), Words::tr("Hexagon"), Words::tr("Rectangle")}}},
+          [](const MoldSettings& mold) { return static_cast<double>(mold.pockets.shape); },
+          [](MoldSettings& mold, const QVariant& value) {
+              mold.pockets.shape = static_cast<PocketShape>(value.toInt());
+          }},
+         numberField(u"pocket-width"_s, Words::tr("Its width"),
+                     Words::tr("Diameter, across flats, or the side along y."), size,
+                     [](MoldSettings& mold) -> double& { return mold.pockets.width; }),
+         numberField(u"pocket-length"_s, Words::tr("Its length"),
+                     Words::tr("The side along x, of a rectangle."), size,
+                     [](MoldSettings& mold) -> double& { return mold.pockets.length; }),
+         numberField(u"pocket-depth"_s, Words::tr("Pockets' depth"), Words::tr("Into the half."), size,
+                     [](MoldSettings& mold) -> double& { return mold.pockets.depth; }),
+         numberField(u"pocket-clearance"_s, Words::tr("Pockets' clearance"),
+                     Words::tr("Round the insert, at the pocket's floor."), {u"mm"_s, 0, 2, 0.05, 2, false},
+                     [](MoldSettings& mold) -> double& { return mold.pockets.clearance; }),
+         {{u"pocket-half"_s, Words::tr("Pockets in"), Words::tr("Dowels ask for both halves."),
+           ChoiceProperty{{Words::tr("Half 1"), Words::tr("Half 2"), Words::tr("Halves 1 and 2")}}},
+          [](const MoldSettings& mold) { return mold.pockets.side == 0 ? 2.0 : mold.pockets.side - 1.0; },
+          [](MoldSettings& mold, const QVariant& value) { mold.pockets.side = (value.toInt() + 1) % 3; }}}};
+}
+
+FieldSection plaqueFields() {
+    return {
+        Words::tr("Plaque"),
+        {{{u"plaque"_s, Words::tr("Letters"),
+           Words::tr("Engraved in the back of each half; | between lines. {part}, {half} and {shrink} are "
+                     "replaced; auto: all three. Empty: none."),
+           TextProperty{u"auto"_s}},
+          [](const MoldSettings& mold) { return QString::fromStdString(mold.plaque.text); },
+          [](MoldSettings& mold, const QVariant& value) {
+              mold.plaque.text = value.toString().toStdString();
+          }},
+         numberField(u"plaque-height"_s, Words::tr("Letters' height"),
+                     Words::tr("Of capitals, 2.8 mm or more; 0: as large as there is room for."),
+                     millimetres(0, 100), [](MoldSettings& mold) -> double& { return mold.plaque.height; }),
+         numberField(u"plaque-depth"_s, Words::tr("Letters' depth"), Words::tr("Of their grooves."),
+                     {u"mm"_s, 0.1, 5, 0.1, 2, false},
+                     [](MoldSettings& mold) -> double& { return mold.plaque.depth; })}};
+}
+
 std::vector<FieldSection> fieldSections() {
-    return {blockFields(), cavityFields(), fillingFields(), closingFields(), machineFields()};
+    return {blockFields(),  cavityFields(), fillingFields(), closingFields(),
+            pocketFields(), plaqueFields(), machineFields()};
 }
 
 Property reading(const QString& id, const QString& label) {
@@ -353,6 +404,7 @@ std::optional<Project> withMoldValue(const Project& project, const QString& id, 
             if (field.row.id == id) {
                 MoldSettings mold = project.mold;
                 field.write(mold, value);
+                mold.plaque.text = plaqueText(mold.plaque.text, project.name);
                 return changed(mold);
             }
     return std::nullopt;

@@ -45,6 +45,10 @@ QString otherName(const std::string& name, int number) {
         return with(Words::tr("overflow %1"));
     if (name == "Overflow's channel")
         return with(Words::tr("the channel of overflow %1"));
+    if (name == "Pocket")
+        return with(Words::tr("insert pocket %1"));
+    if (name == "Plaque")
+        return with(Words::tr("the plaque on half %1"));
     return with(Words::tr("ejector hole %1"));
 }
 
@@ -164,7 +168,7 @@ QString featureName(Placeable kind, int number) {
     const std::array names = {Words::tr("Spout %1"),     Words::tr("Vent %1"),
                               Words::tr("Key %1"),       Words::tr("Wedge slit %1"),
                               Words::tr("Bolt hole %1"), Words::tr("Ejector hole %1"),
-                              Words::tr("Overflow %1")};
+                              Words::tr("Overflow %1"),  Words::tr("Insert pocket %1")};
     return names.at(static_cast<std::size_t>(kind)).arg(number + 1);
 }
 

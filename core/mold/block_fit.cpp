@@ -89,6 +89,13 @@ void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
     for (const double axis : m_layout.runnerAxes)
         obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
                                           {all.max().x() + widths.gate, axis + widths.runner / 2}));
+    for (const CavityCopy& copy : m_layout.copies)
+        for (const Gate& gate : (*m_entries)[copy.kind].gates) {
+            const Vector2d tip = gate.tip + copy.offset;
+            obstacles.push_back(
+                planRectangle({tip.x() - widths.gate / 2, tip.y()},
+                              {tip.x() + widths.gate / 2, copy.offset.y() + endOfStubs(copy.kind)}));
+        }
 }
 
 Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
@@ -169,6 +176,9 @@ AlignedBox2d MoldBuilder::boxByHand() const {
             extend(boltRoom(settings.bolts, feature.place), Vector2d::Constant(settings.bolts.wall));
         else if (feature.kind == Placeable::Key && feature.number < settings.keys.count)
             extend(keyRoom(settings.keys, m_mold.directions, feature.number, feature.place), steel);
+        else if (feature.kind == Placeable::Pocket && feature.number < settings.pockets.count)
+            extend(pocketRoom(settings.pockets, feature.place, m_mold.directions, m_mold.draftDegrees),
+                   steel);
         else if (feature.kind == Placeable::Slit && feature.number < settings.slits.count)
             extend(slitShape(settings.slits, {0, feature.place.y()}), {0, steel.y()});
     }
@@ -183,6 +193,9 @@ void MoldBuilder::addByHand(Obstacles& obstacles, const Block& block) const {
             obstacles.push_back(boltRoom(settings.bolts, feature.place));
         else if (feature.kind == Placeable::Key && feature.number < settings.keys.count)
             obstacles.push_back(keyRoom(settings.keys, m_mold.directions, feature.number, feature.place));
+        else if (feature.kind == Placeable::Pocket && feature.number < settings.pockets.count)
+            obstacles.push_back(
+                pocketRoom(settings.pockets, feature.place, m_mold.directions, m_mold.draftDegrees));
         else if (feature.kind == Placeable::Slit && feature.number < settings.slits.count)
             obstacles.push_back(slitShape(settings.slits, onFace(feature.place, block)));
     }
@@ -206,9 +219,15 @@ bool MoldBuilder::placeOn(const Block& block) {
         obstacles.push_back(slitShape(settings.slits, place));
     m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel,
                             wishes(Placeable::Key, settings.keys.count), pull);
+    for (std::size_t k = 0; k < m_keyPlaces.size(); ++k)
+        obstacles.push_back(keyRoom(settings.keys, m_mold.directions, static_cast<int>(k), m_keyPlaces[k]));
+    m_pocketPlaces =
+        pocketPlaces(settings.pockets, m_mold.directions, m_mold.draftDegrees, block, obstacles,
+                     settings.leastSteel, wishes(Placeable::Pocket, settings.pockets.count), pull);
     return static_cast<int>(m_boltPlaces.size()) == settings.bolts.count &&
            static_cast<int>(m_slitPlaces.size()) == settings.slits.count &&
-           static_cast<int>(m_keyPlaces.size()) == settings.keys.count;
+           static_cast<int>(m_keyPlaces.size()) == settings.keys.count &&
+           static_cast<int>(m_pocketPlaces.size()) == settings.pockets.count;
 }
 
 /// Length of the tails, with what a wall that is not upright takes from them.
@@ -250,10 +269,10 @@ Result<void> MoldBuilder::fitBlock() {
         return std::unexpected(*refused);
     if (!fits)
         return failure(ErrorCode::Impossible,
-                       MW_TEXT("Mold", "There is no room for {0} keys, {1} slits and {2} bolt holes. Ask for "
-                                       "fewer or smaller ones."),
+                       MW_TEXT("Mold", "There is no room for {0} keys, {1} slits, {2} bolt holes and {3} "
+                                       "pockets. Ask for fewer or smaller ones."),
                        {std::to_string(settings.keys.count), std::to_string(settings.slits.count),
-                        std::to_string(settings.bolts.count)});
+                        std::to_string(settings.bolts.count), std::to_string(settings.pockets.count)});
     if (settings.shape == BlockShape::Shell)
         if (Result<void> done = cutShell(); !done)
             return done;
@@ -275,6 +294,9 @@ Result<void> MoldBuilder::cutShell() {
         content.push_back({slitShape(settings.slits, place), settings.leastSteel});
     for (std::size_t k = 0; k < m_keyPlaces.size(); ++k)
         content.push_back({keyRoom(settings.keys, m_mold.directions, static_cast<int>(k), m_keyPlaces[k]),
+                           settings.leastSteel});
+    for (const Vector2d& place : m_pocketPlaces)
+        content.push_back({pocketRoom(settings.pockets, place, m_mold.directions, m_mold.draftDegrees),
                            settings.leastSteel});
     Result<Block> shell = shellOf(m_block, content, settings, {m_mold.directions, m_grid});
     if (!shell)
@@ -302,7 +324,22 @@ Result<void> MoldBuilder::makeRegistration() {
     }
     for (const Vector2d& place : m_boltPlaces)
         m_bolts.push_back(boltOutline(settings.bolts, place, m_grid));
-    return {};
+    for (const int side : {1, 2})
+        if (const double room = std::abs(m_block.end(side)) - settings.leastSteel;
+            settings.pockets.count > 0 && settings.pockets.isIn(side) && settings.pockets.depth > room)
+            return failure(
+                ErrorCode::Impossible,
+                MW_TEXT("Mold", "Pockets {0} mm deep leave less than {1} mm of steel at the back "
+                                "of half {2}. Make them shallower, or the half thicker."),
+                {readable(settings.pockets.depth), readable(settings.leastSteel), std::to_string(side)});
+    for (const Vector2d& place : m_pocketPlaces) {
+        Result<InsertPocket> pocket =
+            insertPocket(settings.pockets, place, m_mold.directions, m_mold.draftDegrees, m_grid);
+        if (!pocket)
+            return std::unexpected(pocket.error());
+        m_pockets.push_back(*std::move(pocket));
+    }
+    return engrave();
 }
 
 } // namespace moldwright

@@ -3,6 +3,7 @@
 
 #include "features/drafted_prism.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,18 +18,22 @@ double cornerRadius(const BoltSettings& bolts) {
     return bolts.diameter / 2 / std::cos(std::numbers::pi / circleCorners);
 }
 
-/// Walls of the outline between two heights, looking outwards.
-IndexedMesh tube(const PlanShape& outline, double low, double high) {
+/// Walls of the outline between heights, ascending, looking outwards.
+IndexedMesh tube(const PlanShape& outline, const std::vector<double>& heights) {
     const auto n = static_cast<int>(outline.size());
-    IndexedMesh mesh{Points(2 * n, 3), Triangles(2 * n, 3)};
-    for (int k = 0; k < n; ++k) {
-        const Vector2d& p = outline[static_cast<std::size_t>(k)];
-        mesh.V.row(k) << p.x(), p.y(), low;
-        mesh.V.row(n + k) << p.x(), p.y(), high;
-        const int next = (k + 1) % n;
-        mesh.F.row(2 * k) << k, next, n + next;
-        mesh.F.row(2 * k + 1) << k, n + next, n + k;
-    }
+    const auto rings = static_cast<int>(heights.size());
+    IndexedMesh mesh{Points(rings * n, 3), Triangles(2 * (rings - 1) * n, 3)};
+    for (int ring = 0; ring < rings; ++ring)
+        for (int k = 0; k < n; ++k) {
+            const Vector2d& p = outline[static_cast<std::size_t>(k)];
+            const int here = ring * n + k;
+            mesh.V.row(here) << p.x(), p.y(), heights[static_cast<std::size_t>(ring)];
+            if (ring + 1 == rings)
+                continue;
+            const int next = ring * n + (k + 1) % n;
+            mesh.F.row(2 * here) << here, next, n + next;
+            mesh.F.row(2 * here + 1) << here, n + next, n + here;
+        }
     return mesh;
 }
 
@@ -63,16 +68,17 @@ PlanShape boltOutline(const BoltSettings& bolts, const Vector2d& place, double g
 }
 
 IndexedMesh boltSurface(const PlanShape& outline, double end) {
-    return end > 0 ? tube(outline, 0, end) : tube(outline, end, 0);
+    return tube(outline, {std::min(0.0, end), std::max(0.0, end)});
 }
 
 IndexedMesh boltSolid(const PlanShape& outline, const Block& block) {
     const auto n = static_cast<int>(outline.size());
-    IndexedMesh mesh = tube(outline, block.end(2), block.end(1));
-    mesh.F.conservativeResize(2 * n + 2 * (n - 2), 3);
+    // With points in the plane, where all else is widest: steel is measured from points.
+    IndexedMesh mesh = tube(outline, {block.end(2), 0, block.end(1)});
+    mesh.F.conservativeResize(4 * n + 2 * (n - 2), 3);
     for (int k = 0; k < n - 2; ++k) { // convex: fans close it
-        mesh.F.row(2 * n + 2 * k) << 0, k + 2, k + 1;
-        mesh.F.row(2 * n + 2 * k + 1) << n, n + k + 1, n + k + 2;
+        mesh.F.row(4 * n + 2 * k) << 0, k + 2, k + 1;
+        mesh.F.row(4 * n + 2 * k + 1) << 2 * n, 2 * n + k + 1, 2 * n + k + 2;
     }
     return mesh;
 }

@@ -46,6 +46,8 @@ void MoldBuilder::listFeatures() {
     listChannels();
     listRegistration();
     listBolts();
+    listPockets();
+    listPlaques();
 }
 
 void MoldBuilder::listCavity(const CavityCopy& copy) {
@@ -212,6 +214,40 @@ void MoldBuilder::listBolts() {
                       {}},
                      {Placeable::Bolt, static_cast<int>(i), place}, m_bolts[i]);
     }
+}
+
+void MoldBuilder::listPockets() {
+    const PocketSettings& settings = m_mold.settings.pockets;
+    for (std::size_t i = 0; i < m_pockets.size(); ++i) {
+        const InsertPocket& pocket = m_pockets[i];
+        std::vector<std::pair<std::string, double>> numbers = {{"width", settings.width},
+                                                               {"depth", settings.depth},
+                                                               {"clearance", settings.clearance},
+                                                               {"side", settings.side},
+                                                               {"volume", volume(*prismSolid(pocket.prism))}};
+        if (settings.shape == PocketShape::Rectangle)
+            numbers.insert(numbers.begin(), {"length", settings.length});
+        addPlaceable({"pocket",
+                      settings.side == 0 ? "Insert pocket in both halves"
+                                         : "Insert pocket in half " + std::to_string(settings.side),
+                      {pocket.place.x(), pocket.place.y(), 0},
+                      std::move(numbers),
+                      {}},
+                     {Placeable::Pocket, static_cast<int>(i), pocket.place}, pocket.prism.base);
+    }
+}
+
+void MoldBuilder::listPlaques() {
+    for (const Plaque& plaque : m_plaques)
+        m_mold.features.push_back({"plaque",
+                                   "Plaque on half " + std::to_string(plaque.side),
+                                   {plaque.place.x(), plaque.place.y(), plaque.back},
+                                   {{"side", plaque.side},
+                                    {"letter_height", plaque.letterHeight},
+                                    {"stroke", plaque.strokeWidth()},
+                                    {"depth", m_mold.settings.plaque.depth},
+                                    {"volume", volume(plaque.solid())}},
+                                   "Reads: " + plaque.text});
 }
 
 } // namespace moldwright

@@ -75,6 +75,8 @@ struct Mold {
     Eigen::Vector3d minWallPlace = Eigen::Vector3d::Zero(); ///< mm, mold's frame: on the feature it is at
     std::vector<ThinSteel> steel;                           ///< by pair of names, thinnest first
     std::vector<ThinSteel> steelOfEach;                     ///< by pair of features, thinnest first
+    std::vector<Hollow> hollows;                            ///< what the steel was measured between
+    Block block;
     std::vector<MoldFeature> features;
     std::vector<double> pathLengths;    ///< mm from the spout's mouth to each cavity's gate
     double trappedAir = 0;              ///< mm³ that no vent serves

@@ -86,6 +86,12 @@ void MoldBuilder::addHalf(int side, HalfSurfaces& half, std::vector<PlacedSurfac
         half.voids.push_back(placed(*prismSurface(slit.prism, side)));
     for (const PlanShape& bolt : m_bolts)
         half.voids.push_back(placed(boltSurface(bolt, end)));
+    for (const InsertPocket& pocket : m_pockets)
+        if (pocket.prism.stands(side))
+            half.voids.push_back(placed(*prismSurface(pocket.prism, side)));
+    for (const Plaque& plaque : m_plaques)
+        if (plaque.side == side)
+            half.voids.push_back(placed(plaque.surface()));
     for (const RegistrationKey& key : m_keys)
         if (side == 1)
             half.voids.push_back(placed(*prismSurface(key.socket, 1)));
@@ -152,6 +158,10 @@ Result<void> MoldBuilder::measure() {
         m_mold.otherVolume += volumeOf(key.socket) - volumeOf(key.key);
     for (const PlanShape& bolt : m_bolts)
         m_mold.otherVolume += volume(boltSolid(bolt, m_block));
+    for (const InsertPocket& pocket : m_pockets)
+        m_mold.otherVolume += volumeOf(pocket.prism);
+    for (const Plaque& plaque : m_plaques)
+        m_mold.otherVolume += volume(plaque.solid());
     for (const CavityCopy& copy : m_layout.copies)
         m_mold.otherVolume += m_joined[copy.kind].pinVolume;
     const auto curves = partingCurves(*m_mold.cast, labelSides(*m_mold.cast, {}));
@@ -168,7 +178,9 @@ Result<void> MoldBuilder::measure() {
 
 Result<void> MoldBuilder::measureSteel() {
     constexpr double furthest = 1000;
-    m_mold.steelOfEach = thinnestSteel(hollows(), m_block, furthest, *m_trees);
+    m_mold.hollows = hollows();
+    m_mold.block = m_block;
+    m_mold.steelOfEach = thinnestSteel(m_mold.hollows, m_block, furthest, *m_trees);
     m_mold.steel = byNames(m_mold.steelOfEach);
     m_mold.minWall = m_mold.steel.front().thickness;
     m_mold.minWallPlace = m_mold.steel.front().place;
@@ -316,6 +328,10 @@ std::vector<Hollow> MoldBuilder::hollows() const {
         add(boltName, boltSolid(m_bolts[i], m_block), true, Placeable::Bolt, static_cast<int>(i));
     for (std::size_t i = 0; i < m_slits.size(); ++i)
         add("Slit", *prismSolid(m_slits[i].prism), true, Placeable::Slit, static_cast<int>(i));
+    for (std::size_t i = 0; i < m_pockets.size(); ++i)
+        add("Pocket", *prismSolid(m_pockets[i].prism), false, Placeable::Pocket, static_cast<int>(i));
+    for (const Plaque& plaque : m_plaques)
+        all.push_back({"Plaque", shared(plaque.solid()), Vector2d::Zero(), {}, true, plaque.side, true});
     return all;
 }
 

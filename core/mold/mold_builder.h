@@ -6,6 +6,8 @@
 #include "mold/cavity_joints.h"
 #include "mold/half.h"
 #include "mold/mold.h"
+#include "mold/plaque.h"
+#include "mold/pockets.h"
 #include "mold/pour_tilt.h"
 #include "mold/registration.h"
 
@@ -118,6 +120,9 @@ private:
     Result<void> cutShell();
     [[nodiscard]] bool placeOn(const Block& block);
     Result<void> makeRegistration();
+    /// The lettering in the backs.
+    Result<void> engrave();
+    [[nodiscard]] Obstacles openingsInBack(int side) const;
     Result<void> addTails();
     void addHalf(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids);
     void listFeatures();
@@ -129,6 +134,8 @@ private:
     void listRegistration();
     void listBores(const CavityCopy& copy);
     void listBolts();
+    void listPockets();
+    void listPlaques();
     void addPlaceable(MoldFeature feature, const PlacedFeature& stands, PlanShape outline,
                       const Eigen::Vector2d& origin = Eigen::Vector2d::Zero());
     [[nodiscard]] std::vector<Hollow> hollows() const;
@@ -161,6 +168,9 @@ private:
     std::vector<Eigen::Vector2d> m_slitPlaces;
     std::vector<RegistrationKey> m_keys;
     std::vector<WedgeSlit> m_slits;
+    std::vector<Eigen::Vector2d> m_pocketPlaces;
+    std::vector<InsertPocket> m_pockets;
+    std::vector<Plaque> m_plaques; ///< of half 1 and 2, if there are any
     FaceEnd m_end;
     std::vector<JoinedCavity> m_joined;
     std::vector<std::vector<Stub>> m_stubs; ///< by kind

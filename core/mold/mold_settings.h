@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace moldwright {
@@ -167,6 +168,38 @@ struct EjectorSettings {
     bool operator==(const EjectorSettings&) const = default;
 };
 
+/// What an insert looks like along the normal.
+enum class PocketShape {
+    Round,     ///< a magnet, a dowel
+    Hexagon,   ///< a nut
+    Rectangle, ///< a block magnet, a square nut
+};
+
+/// Pockets in the parting face in which inserts of metal are laid.
+struct PocketSettings {
+    int count = 0;
+    PocketShape shape = PocketShape::Hexagon;
+    double width = 10;      ///< mm; diameter, across flats, or along y; an M6 nut has 10 (ISO 4032)
+    double length = 20;     ///< mm, of a rectangle, along x
+    double depth = 5.5;     ///< mm
+    double clearance = 0.1; ///< mm on all sides
+    int side = 2;           ///< the half that they are in; 0: both, as a dowel asks
+
+    [[nodiscard]] bool isIn(int half) const { return side == 0 || side == half; }
+    bool operator==(const PocketSettings&) const = default;
+};
+
+/// Lettering engraved in the back of each half.
+struct PlaqueSettings {
+    /// Lines with '|' between; "{half}" and "{shrink}" stand for the half's number and the percentage. Empty:
+    /// none.
+    std::string text;
+    double height = 0;  ///< mm of a capital; 0: as large as there is room for, up to 8
+    double depth = 0.6; ///< mm
+
+    bool operator==(const PlaqueSettings&) const = default;
+};
+
 /// Casting that is poured out again before it is solid all through, as chocolate shells are.
 struct HollowSettings {
     double wall = 0; ///< mm that stay; 0: solid
@@ -212,6 +245,8 @@ struct MoldSettings {
     SlitSettings slits;
     BoltSettings bolts;
     EjectorSettings ejectors;
+    PocketSettings pockets;
+    PlaqueSettings plaque;
     HollowSettings hollow;
     MachineSettings machines;
     PlacedFeatures placed;     ///< what stands where a hand put it; the rest finds its own place

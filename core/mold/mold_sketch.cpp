@@ -88,7 +88,8 @@ Result<MoldSketch> MoldSketcher::sketch(const PlacedFeatures& placed) {
 }
 
 const char* steelName(Placeable kind) {
-    constexpr std::array names = {"Spout", "Vent", "Key", "Slit", "Bolt hole", "Ejector hole", "Overflow"};
+    constexpr std::array names = {"Spout",     "Vent",         "Key",      "Slit",
+                                  "Bolt hole", "Ejector hole", "Overflow", "Pocket"};
     return names.at(static_cast<std::size_t>(kind));
 }
 

@@ -11,20 +11,20 @@
 namespace moldwright {
 
 /// A kind of feature that can be placed by hand.
-enum class Placeable { Spout, Vent, Key, Slit, Bolt, Ejector, Overflow };
+enum class Placeable { Spout, Vent, Key, Slit, Bolt, Ejector, Overflow, Pocket };
 
 /// Their names in files, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 7> placeableNames = {"spout", "vent",    "key",     "slit",
-                                                                   "bolt",  "ejector", "overflow"};
+inline constexpr std::array<std::string_view, 8> placeableNames = {
+    "spout", "vent", "key", "slit", "bolt", "ejector", "overflow", "pocket"};
 
 /// A feature that stands where a hand put it.
 struct PlacedFeature {
     Placeable kind = Placeable::Key;
     int number = 0; ///< from 0, among those of its kind
-    /// mm in the parting plane. Of a key, a bolt, and a spout in the plane (only its x counts): in the mold's
-    /// frame. Of a slit: of its mouth; x < 0 is the block's left face, else the right one. Of a vent, an
-    /// ejector pin and a spout through a half: from the middle of its cavity, the same in all copies. Of an
-    /// overflow likewise: it stands where the parting line is nearest.
+    /// mm in the parting plane. Of a key, a bolt, a pocket, and a spout in the plane (only its x counts): in
+    /// the mold's frame. Of a slit: of its mouth; x < 0 is the block's left face, else the right one. Of a
+    /// vent, an ejector pin and a spout through a half: from the middle of its cavity, the same in all
+    /// copies. Of an overflow likewise: it stands where the parting line is nearest.
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
 
     bool operator==(const PlacedFeature&) const = default;

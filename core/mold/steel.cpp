@@ -86,11 +86,8 @@ private:
             for (std::size_t j = i + 1; j < m_hollows.size(); ++j) {
                 const Hollow& a = m_hollows[i];
                 const Hollow& b = m_hollows[j];
-                const bool joined = std::any_of(a.joints.begin(), a.joints.end(), [&](int joint) {
-                    return std::find(b.joints.begin(), b.joints.end(), joint) != b.joints.end();
-                });
                 const double apart = m_boxes[i].exteriorDistance(m_boxes[j]);
-                if (!joined && apart < m_furthest)
+                if (!areJoined(a, b) && apart < m_furthest)
                     pairs.emplace_back(apart, i, j);
             }
         std::sort(pairs.begin(), pairs.end());
@@ -166,6 +163,12 @@ private:
 };
 
 } // namespace
+
+bool areJoined(const Hollow& a, const Hollow& b) {
+    return std::any_of(a.joints.begin(), a.joints.end(), [&](int joint) {
+        return std::find(b.joints.begin(), b.joints.end(), joint) != b.joints.end();
+    });
+}
 
 SteelTrees::SteelTrees() = default;
 SteelTrees::~SteelTrees() = default;

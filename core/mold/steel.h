@@ -25,6 +25,9 @@ struct Hollow {
     bool byHand = false; ///< a hand put it here: it may stand in the way of others
 };
 
+/// Whether they share a joint, so that no steel is between them.
+[[nodiscard]] bool areJoined(const Hollow& a, const Hollow& b);
+
 /// Steel at its thinnest, mm, between two hollows or one and the outside of the block.
 struct ThinSteel {
     double thickness = 0;                            ///< 0 where they meet

@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, 2> shapeNames = {"box", "shell"};
 constexpr std::array<std::string_view, 5> arrangementNames = {"grid", "staggered", "packed", "circle",
                                                               "free"};
 constexpr std::array<std::string_view, 4> alternationNames = {"none", "turn", "flip", "mirror"};
+constexpr std::array<std::string_view, 3> pocketNames = {"round", "hexagon", "rectangle"};
 constexpr std::array<std::string_view, 2> restingNames = {"standing", "lying"};
 constexpr std::array<std::string_view, 5> pourNames = {"auto", "0", "90", "180", "270"};
 
@@ -91,6 +92,16 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"ejectors", "count"}, mold.ejectors.count);
     at.value({"ejectors", "diameter"}, mold.ejectors.diameter);
     at.value({"ejectors", "side"}, mold.ejectors.side);
+    at.value({"pockets", "count"}, mold.pockets.count);
+    at.name({"pockets", "shape"}, mold.pockets.shape, pocketNames);
+    at.value({"pockets", "width"}, mold.pockets.width);
+    at.value({"pockets", "length"}, mold.pockets.length);
+    at.value({"pockets", "depth"}, mold.pockets.depth);
+    at.value({"pockets", "clearance"}, mold.pockets.clearance);
+    at.value({"pockets", "side"}, mold.pockets.side);
+    at.value({"plaque", "text"}, mold.plaque.text);
+    at.value({"plaque", "height"}, mold.plaque.height);
+    at.value({"plaque", "depth"}, mold.plaque.depth);
 }
 
 using Path = std::initializer_list<const char*>;

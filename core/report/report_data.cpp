@@ -243,6 +243,7 @@ ReportData reportData(const ReportSubject& subject, const Phrases& say) {
     data.kept = kept(subject, say);
     if (subject.mold) {
         data.bars = draftBars(*subject.mold->cast, subject.mold->directions);
+        data.leastSteel = subject.mold->settings.leastSteel;
         data.halves = halves(*subject.mold, say);
         data.checks = checks(*subject.mold, say);
         data.defaults = blockDefaults(subject.mold->settings, say);

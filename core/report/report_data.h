@@ -86,6 +86,7 @@ struct ReportData {
     std::string partCaption;
     std::string castCaption;
     double requiredDraft = 1;
+    double leastSteel = 0; ///< mm, that the mold's settings ask for
     ReportSection planeAndDirections;
     ReportSection numbers;
     ReportSection kept; ///< how the cast compares with the part

@@ -254,6 +254,40 @@ TEST_F(MoldCommands, AMoldThatLiesFlatIsFilledThroughHalf1) {
     EXPECT_EQ(test::runProgram({"mold", project(m_box), "--out", in("out"), "--stock", "20"}).exitCode, 4);
 }
 
+TEST_F(MoldCommands, PocketsAndPlaqueAreMadeAsAskedFor) {
+    const std::string file = project(test::frusta(60, 40, 8, 6, std::tan(radians(5))));
+    const test::Run run = test::runProgram({"mold",           file,   "--out",           in("out"),
+                                            "--pockets",      "3",    "--pocket-shape",  "round",
+                                            "--pocket-half",  "both", "--pocket-width",  "6",
+                                            "--pocket-depth", "4",    "--plaque",        "auto",
+                                            "--shrink",       "1.5",  "--plaque-height", "3.5",
+                                            "--json",         "-"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["verified"], true);
+    int pockets = 0;
+    std::string texts;
+    for (const Json& feature : json["features"]) {
+        if (feature["kind"] == "pocket") {
+            EXPECT_EQ(feature["depth"], 4);
+            EXPECT_EQ(feature["number"], ++pockets);
+        } else if (feature["kind"] == "plaque") {
+            EXPECT_EQ(feature["letter_height"], 3.5);
+            texts += feature["note"].get<std::string>() + ";";
+        }
+    }
+    EXPECT_EQ(pockets, 3);
+    EXPECT_EQ(texts, "Reads: Box | HALF 1 | SHRINK 1.5 %;Reads: Box | HALF 2 | SHRINK 1.5 %;");
+    EXPECT_EQ(verified(json).exitCode, 0) << "the files as they were written";
+    EXPECT_EQ(test::runProgram({"mold", file, "--out", in("out"), "--plaque", "A?"}).exitCode, 2);
+    EXPECT_EQ(test::runProgram({"mold", file, "--out", in("out"), "--plaque", "A", "--plaque-height", "60"})
+                  .exitCode,
+              4);
+    EXPECT_EQ(test::runProgram({"mold", file, "--out", in("out"), "--pockets", "1", "--pocket-depth", "30"})
+                  .exitCode,
+              4);
+}
+
 TEST_F(MoldCommands, OtherProgramsFindNoFaultInTheHalves) {
     if (std::system("command -v admesh > /dev/null 2>&1") != 0)
         GTEST_SKIP() << "admesh is not installed";

@@ -27,6 +27,8 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     settings.outerDraft = -4;
     settings.vents.depth = 0.03;
     settings.machines = {{220, 210, 250}, 50};
+    settings.pockets = {3, PocketShape::Rectangle, 8, 12.5, 4, 0.05, 0};
+    settings.plaque = {"Box|half {half}", 4.5, 0.4};
     settings.stock = {80, 125.5};
     settings.placed = {{Placeable::Spout, 0, {3.5, 40}}, {Placeable::Key, 2, {-20.25, 1e-3}}};
     EXPECT_EQ(moldSettingsFrom(moldSettingsJson(settings)), settings);

@@ -45,6 +45,13 @@ const std::array<Rgb, ValueScale::classes>& valueColours() {
     return colours;
 }
 
+std::array<Rgb, ValueScale::classes> steelColours(Rgb tooThin) {
+    std::array<Rgb, ValueScale::classes> colours = valueColours();
+    std::ranges::reverse(colours);
+    colours.front() = tooThin;
+    return colours;
+}
+
 ValueScale scaleFor(std::span<const double> values) {
     const double end = nearlyLargest(values);
     if (!(end > 0))

@@ -24,6 +24,9 @@ struct ValueScale {
 /// The colours of the classes, lowest first: ever darker, so that a grey print reads.
 [[nodiscard]] const std::array<Rgb, ValueScale::classes>& valueColours();
 
+/// Colours for steel, thinnest first: the colour of what is too thin, then ever lighter.
+[[nodiscard]] std::array<Rgb, ValueScale::classes> steelColours(Rgb tooThin);
+
 /// The scale with the least step of 1, 2 or 5 times a power of ten that keeps 99 of 100 of the values above 0
 /// below its end.
 [[nodiscard]] ValueScale scaleFor(std::span<const double> values);
