@@ -169,11 +169,12 @@ void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem:
     for (const ReportSection& half : data.halves)
         y = drawSection(paper, Paper::left, y, column, half) + 4;
     if (!data.halves.empty()) {
-        double end =
-            drawPicture(paper, {second, 27, column, 36}, imageIn(pictures, openedPicture),
-                        ReportText::tr("Opened"), ReportText::tr("Each half along its own direction, the cast between"));
-        end = drawPicture(paper, {second, end + 1, column, 24}, imageIn(pictures, steelPicture),
-                          ReportText::tr("Steel"), ReportText::tr("Behind the walls, in mm; too thin is red"));
+        double end = drawPicture(paper, {second, 27, column, 36}, imageIn(pictures, openedPicture),
+                                 ReportText::tr("Opened"),
+                                 ReportText::tr("Each half along its own direction, the cast between"));
+        end =
+            drawPicture(paper, {second, end + 1, column, 24}, imageIn(pictures, steelPicture),
+                        ReportText::tr("Steel"), ReportText::tr("Behind the walls, in mm; too thin is red"));
         end = drawSteelScale(paper, second, end, column, data.leastSteel);
         y = std::max(y, end) + 1;
     }

@@ -25,7 +25,7 @@ struct Words {
 const QString prefix = u"feature-"_s; ///< then the kind and the number
 
 QString iconOf(Placeable kind) {
-    const std::array names = {u"spout"_s, u"vent"_s,    u"key"_s,     u"slit"_s,
+    const std::array names = {u"spout"_s, u"vent"_s,    u"key"_s,      u"slit"_s,
                               u"bolt"_s,  u"ejector"_s, u"overflow"_s, u"pocket"_s};
     return names.at(static_cast<std::size_t>(kind));
 }

@@ -14,8 +14,8 @@ namespace moldwright {
 enum class Placeable { Spout, Vent, Key, Slit, Bolt, Ejector, Overflow, Pocket };
 
 /// Their names in files, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 8> placeableNames = {
-    "spout", "vent", "key", "slit", "bolt", "ejector", "overflow", "pocket"};
+inline constexpr std::array<std::string_view, 8> placeableNames = {"spout", "vent",    "key",      "slit",
+                                                                   "bolt",  "ejector", "overflow", "pocket"};
 
 /// A feature that stands where a hand put it.
 struct PlacedFeature {

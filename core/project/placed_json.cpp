@@ -62,9 +62,10 @@ Result<PlacedFeatures> placedFrom(const Json& list, const std::string& where) {
         if (!feature)
             return failure(
                 ErrorCode::BadInput,
-                MW_TEXT("Guides",
-                        "{0}: entry {1} needs a \"kind\" (spout, vent, key, slit, bolt, "
-                        "ejector, overflow or pocket), a \"number\" from 1, and \"at\" with two numbers, mm."),
+                MW_TEXT(
+                    "Guides",
+                    "{0}: entry {1} needs a \"kind\" (spout, vent, key, slit, bolt, "
+                    "ejector, overflow or pocket), a \"number\" from 1, and \"at\" with two numbers, mm."),
                 {where, which});
         const auto before = placeByHand(placed, feature->kind, feature->number);
         if (before && *before != feature->place)
