@@ -2,6 +2,7 @@
 #include "report/report_data.h"
 
 #include "mesh/measures.h"
+#include "mold/pour_tilt.h"
 #include "mold/shrink.h"
 #include "report/figures.h"
 
@@ -97,6 +98,22 @@ ReportSection planeAndDirections(const ReportSubject& subject) {
     return section;
 }
 
+/// What there is of wells, and how the mold leans or had better.
+void addPouring(ReportSection& section, const Mold& mold) {
+    const auto wells = std::count_if(mold.features.begin(), mold.features.end(),
+                                     [](const MoldFeature& feature) { return feature.kind == "overflow"; });
+    if (wells > 0)
+        section.rows.push_back({"Overflows", std::to_string(wells) + " of " +
+                                                 readable(mold.settings.overflows.diameter) + " mm"});
+    if (!mold.leaning)
+        return;
+    const LeaningMold& lean = *mold.leaning;
+    section.rows.push_back(
+        {lean.applied ? "Tilted while it is filled" : "Better tilted while it is filled",
+         readable(lean.degrees, 3) + "° towards " + leaningWords(mold.settings.spout.resting, lean.towards) +
+             "\nair: " + figure(lean.air, 0) + " mm³, upright " + figure(lean.airUpright, 0) + " mm³"});
+}
+
 ReportSection numbers(const ReportSubject& subject) {
     ReportSection section{"Numbers", {}};
     if (!subject.mold) {
@@ -112,6 +129,7 @@ ReportSection numbers(const ReportSubject& subject) {
                      figure(mold.clampForce, mold.clampForce < 10 ? 2 : 1) + " kN"},
                     {"Mold, closed", sizeInMillimetres(mold.blockSize)},
                     steelRow(mold)};
+    addPouring(section, mold);
     return section;
 }
 
