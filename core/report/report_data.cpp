@@ -2,6 +2,7 @@
 #include "report/report_data.h"
 
 #include "mesh/measures.h"
+#include "mold/pour_tilt.h"
 #include "mold/shrink.h"
 #include "report/figures.h"
 #include "report/mold_defaults.h"
@@ -110,6 +111,19 @@ ReportSection planeAndDirections(const ReportSubject& subject, const Phrases& sa
     return section;
 }
 
+/// How the mold leans while it is filled, or had better.
+void addLeaning(ReportSection& section, const Mold& mold, const Phrases& say) {
+    if (!mold.leaning)
+        return;
+    const LeaningMold& lean = *mold.leaning;
+    section.rows.push_back(
+        {say(lean.applied ? MW_TEXT("Report", "Tilted while it is filled")
+                          : MW_TEXT("Report", "Better tilted while it is filled")),
+         say(MW_TEXT("Report", "{0}° towards {1}\nair: {2} mm³, upright {3} mm³"),
+             {readable(lean.degrees, 3), say(leaningWords(mold.settings.spout.resting, lean.towards)),
+              figure(lean.air, 0), figure(lean.airUpright, 0)})});
+}
+
 ReportSection numbers(const ReportSubject& subject, const Phrases& say) {
     ReportSection section{say(MW_TEXT("Report", "Numbers")), {}};
     if (!subject.mold) {
@@ -127,6 +141,7 @@ ReportSection numbers(const ReportSubject& subject, const Phrases& say) {
                      figure(mold.clampForce, mold.clampForce < 10 ? 2 : 1) + " kN"},
                     {say(MW_TEXT("Report", "Mold, closed")), sizeInMillimetres(mold.blockSize)},
                     steelRow(mold, say)};
+    addLeaning(section, mold, say);
     return section;
 }
 

@@ -12,14 +12,13 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     settings.blockDensity = 1.24;
     settings.layout = {3, 5, Arrangement::Free, Alternation::Flip, 4.25, {{1, -2.5, 90}, {40, 0, 0}}};
     settings.shrink = {{1, 2, 3}, ShrinkFormula::Divide, {4, 5, 6}};
-    settings.spout = {true, 8, 14, 5, 6, PourDirection::Turn270};
+    settings.spout = {true, 8, 14, 5, 6, PourDirection::Turn270, {}, 0, {true, 12, 135}};
     settings.vents = {true, 2, 3};
     settings.keys = {4, 5, 3, 0.3, 7, 2};
     settings.slits = {2, 5, 10, 1};
     settings.bolts = {4, 5, 2, 2.5};
     settings.ejectors = {3, 2.5, 1};
     settings.overflows = {2, 8, 2, 3};
-    settings.spout.tilt = {true, 12, 135};
     settings.spout.resting = Resting::Lying;
     settings.spout.neck = 2.5;
     settings.hollow.wall = 3;

@@ -94,6 +94,20 @@ TEST(ReportData, OfAProvedMold) {
         EXPECT_TRUE(check.holds) << check.text;
 }
 
+TEST(ReportData, TellsHowTheMoldLeans) {
+    ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+    EXPECT_EQ(valueOf(reportData(subject).numbers, "Tilted while it is filled"), "no such row");
+    Mold mold = *subject.mold;
+    mold.leaning = LeaningMold{12, 270, 35.2, 1.8, true};
+    subject.mold = std::make_shared<const Mold>(mold);
+    EXPECT_EQ(valueOf(reportData(subject).numbers, "Tilted while it is filled"),
+              "12° towards half 2\nair: 2 mm³, upright 35 mm³");
+    mold.leaning->applied = false;
+    subject.mold = std::make_shared<const Mold>(mold);
+    EXPECT_EQ(valueOf(reportData(subject).numbers, "Better tilted while it is filled"),
+              "12° towards half 2\nair: 2 mm³, upright 35 mm³");
+}
+
 TEST(ReportData, TellsOfImportantRegionsAndWhichMissedTheirLimit) {
     ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
     subject.regions = {{"eye", 0.12, 0.2}, {"logo", 0.5, 0.25}, {"nose", 3, 0}};
