@@ -1614,6 +1614,58 @@
         <source>Pockets {0} mm deep leave less than {1} mm of steel at the back of half {2}. Make them shallower, or the half thicker.</source>
         <translation>{0} mm tiefe Taschen lassen am Rücken von Hälfte {2} weniger als {1} mm Stahl. Machen Sie sie flacher oder die Hälfte dicker.</translation>
     </message>
+    <message>
+        <source>The cavities do not fill at the same time: the ways to them are {0} to {1} mm long.</source>
+        <translation>Die Kavitäten füllen sich nicht gleichzeitig: Die Wege zu ihnen sind {0} bis {1} mm lang.</translation>
+    </message>
+    <message>
+        <source>Its walls lean up to {0}°: with less it would hold when one half is opened first.</source>
+        <translation>Seine Wände neigen sich bis {0}°: Mit weniger hielte er, wenn eine Hälfte zuerst geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>No vent can be placed here, or none that reaches higher.</source>
+        <translation>Hier kann keine Entlüftung stehen, oder keine, die höher reicht.</translation>
+    </message>
+    <message>
+        <source>Widens outwards: it breaks off at its neck when half 1 is taken off, and is pushed out of it outwards.</source>
+        <translation>Wird nach außen weiter: Er bricht am Hals ab, wenn Hälfte 1 abgenommen wird, und wird nach außen aus ihr gedrückt.</translation>
+    </message>
+    <message>
+        <source>Reads: {0}</source>
+        <translation>Text: {0}</translation>
+    </message>
+    <message>
+        <source>Each spout through half 1 holds its sprue and breaks off at a neck of {0} mm: the cast is proved without it. Push the sprues out of half 1 outwards.</source>
+        <translation>Jeder Anguss durch Hälfte 1 hält seinen Zapfen und bricht an einem Hals von {0} mm ab: Der Guss ist ohne ihn bewiesen. Drücken Sie die Angusszapfen nach außen aus Hälfte 1.</translation>
+    </message>
+    <message>
+        <source>Only {0} mm of steel between {1} and {2}.</source>
+        <translation>Nur {0} mm Stahl zwischen {1} und {2}.</translation>
+    </message>
+    <message>
+        <source>Half {0} of {1} is larger than the printer&apos;s {2}.</source>
+        <translation>Hälfte {0} mit {1} ist größer als die {2} des Druckers.</translation>
+    </message>
+    <message>
+        <source>The mold needs {0} kN to stay closed; the press has {1} kN.</source>
+        <translation>Die Form braucht {0} kN, um geschlossen zu bleiben; die Presse hat {1} kN.</translation>
+    </message>
+    <message>
+        <source>Shrinking differently along the axes turns faces: the draft falls to {0}°. Design the cast with {1}°.</source>
+        <translation>Verschiedene Schwindung entlang der Achsen dreht Flächen: Die Schräge fällt auf {0}°. Entwerfen Sie den Guss mit {1}°.</translation>
+    </message>
+    <message>
+        <source>The removal directions do not allow turned copies: on the circle they are only moved, and each is filled on another of its sides.</source>
+        <translation>Die Entformungsrichtungen erlauben keine gedrehten Kopien: Auf dem Kreis sind sie nur verschoben, und jede wird an einer anderen Seite gefüllt.</translation>
+    </message>
+    <message>
+        <source>While it is filled the mold is tilted by {0}° towards {1}: {2} mm³ of air stay instead of {3}.</source>
+        <translation>Beim Füllen ist die Form um {0}° zu {1} geneigt: {2} mm³ Luft bleiben statt {3}.</translation>
+    </message>
+    <message>
+        <source>Tilt the mold by {0}° towards {1} while it is filled: trapped air falls from {3} to {2} mm³.</source>
+        <translation>Neigen Sie die Form beim Füllen um {0}° zu {1}: Die eingeschlossene Luft fällt von {3} auf {2} mm³.</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -5580,6 +5632,102 @@
         <translation>Luft, die bleibt</translation>
     </message>
     <message>
+        <source>Overflow</source>
+        <translation>Überlauf</translation>
+    </message>
+    <message>
+        <source>Insert pocket in both halves</source>
+        <translation>Einlegertasche in beiden Hälften</translation>
+    </message>
+    <message>
+        <source>Insert pocket in half 1</source>
+        <translation>Einlegertasche in Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Insert pocket in half 2</source>
+        <translation>Einlegertasche in Hälfte 2</translation>
+    </message>
+    <message>
+        <source>Plaque on half 1</source>
+        <translation>Schild auf Hälfte 1</translation>
+    </message>
+    <message>
+        <source>Plaque on half 2</source>
+        <translation>Schild auf Hälfte 2</translation>
+    </message>
+    <message>
+        <source>overflow</source>
+        <translation>Überlauf</translation>
+    </message>
+    <message>
+        <source>overflow&apos;s channel</source>
+        <translation>Kanal des Überlaufs</translation>
+    </message>
+    <message>
+        <source>pocket</source>
+        <translation>Einlegertasche</translation>
+    </message>
+    <message>
+        <source>plaque</source>
+        <translation>Schild</translation>
+    </message>
+    <message>
+        <source>the right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>the left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>half 1</source>
+        <translation>Hälfte 1</translation>
+    </message>
+    <message>
+        <source>half 2</source>
+        <translation>Hälfte 2</translation>
+    </message>
+    <message>
+        <source>half 1 and the right</source>
+        <translation>Hälfte 1 und rechts</translation>
+    </message>
+    <message>
+        <source>half 1 and the left</source>
+        <translation>Hälfte 1 und links</translation>
+    </message>
+    <message>
+        <source>half 2 and the left</source>
+        <translation>Hälfte 2 und links</translation>
+    </message>
+    <message>
+        <source>half 2 and the right</source>
+        <translation>Hälfte 2 und rechts</translation>
+    </message>
+    <message>
+        <source>the back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>the front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>the back and the right</source>
+        <translation>hinten rechts</translation>
+    </message>
+    <message>
+        <source>the back and the left</source>
+        <translation>hinten links</translation>
+    </message>
+    <message>
+        <source>the front and the left</source>
+        <translation>vorn links</translation>
+    </message>
+    <message>
+        <source>the front and the right</source>
+        <translation>vorn rechts</translation>
+    </message>
+    <message>
         <source>cavity</source>
         <translation>Kavität</translation>
     </message>
@@ -5746,6 +5894,20 @@
     <message>
         <source>Direction 2</source>
         <translation>Richtung 2</translation>
+    </message>
+    <message>
+        <source>Tilted while it is filled</source>
+        <translation>Beim Füllen geneigt</translation>
+    </message>
+    <message>
+        <source>Better tilted while it is filled</source>
+        <translation>Beim Füllen besser geneigt</translation>
+    </message>
+    <message>
+        <source>{0}° towards {1}
+air: {2} mm³, upright {3} mm³</source>
+        <translation>{0}° zu {1}
+Luft: {2} mm³, aufrecht {3} mm³</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -6008,6 +6170,14 @@ Offene Punkte: %1.</translation>
     <message>
         <source>Each half along its own direction, the cast between</source>
         <translation>Jede Hälfte entlang ihrer Richtung, der Guss dazwischen</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
+    </message>
+    <message>
+        <source>Behind the walls, in mm; too thin is red</source>
+        <translation>Hinter den Wänden, in mm; zu dünn ist rot</translation>
     </message>
     <message>
         <source>Certificate, on the written halves</source>

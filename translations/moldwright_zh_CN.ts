@@ -1614,6 +1614,58 @@
         <source>Pockets {0} mm deep leave less than {1} mm of steel at the back of half {2}. Make them shallower, or the half thicker.</source>
         <translation>槽深 {0} 毫米时，半模 {2} 背面的钢料不足 {1} 毫米。请减小槽深，或加厚该半模。</translation>
     </message>
+    <message>
+        <source>The cavities do not fill at the same time: the ways to them are {0} to {1} mm long.</source>
+        <translation>各型腔不会同时充满：到它们的流程长 {0} 至 {1} 毫米。</translation>
+    </message>
+    <message>
+        <source>Its walls lean up to {0}°: with less it would hold when one half is opened first.</source>
+        <translation>其壁面倾斜达 {0}°：再小的话，先打开一半时会被卡住。</translation>
+    </message>
+    <message>
+        <source>No vent can be placed here, or none that reaches higher.</source>
+        <translation>此处无法设置排气，或没有更高的排气。</translation>
+    </message>
+    <message>
+        <source>Widens outwards: it breaks off at its neck when half 1 is taken off, and is pushed out of it outwards.</source>
+        <translation>向外变宽：取下半模 1 时在颈部断开，再从半模中向外推出。</translation>
+    </message>
+    <message>
+        <source>Reads: {0}</source>
+        <translation>文字：{0}</translation>
+    </message>
+    <message>
+        <source>Each spout through half 1 holds its sprue and breaks off at a neck of {0} mm: the cast is proved without it. Push the sprues out of half 1 outwards.</source>
+        <translation>穿过半模 1 的每个浇口会留住其料把，并在 {0} 毫米的颈部断开：铸件的证明不含料把。请从半模 1 向外推出料把。</translation>
+    </message>
+    <message>
+        <source>Only {0} mm of steel between {1} and {2}.</source>
+        <translation>{1} 与 {2} 之间的钢料只有 {0} 毫米。</translation>
+    </message>
+    <message>
+        <source>Half {0} of {1} is larger than the printer&apos;s {2}.</source>
+        <translation>半模 {0}（{1}）大于打印机的 {2}。</translation>
+    </message>
+    <message>
+        <source>The mold needs {0} kN to stay closed; the press has {1} kN.</source>
+        <translation>模具需要 {0} kN 才能保持闭合；压机只有 {1} kN。</translation>
+    </message>
+    <message>
+        <source>Shrinking differently along the axes turns faces: the draft falls to {0}°. Design the cast with {1}°.</source>
+        <translation>各轴收缩率不同会使面转动：拔模角降到 {0}°。请按 {1}° 设计铸件。</translation>
+    </message>
+    <message>
+        <source>The removal directions do not allow turned copies: on the circle they are only moved, and each is filled on another of its sides.</source>
+        <translation>脱模方向不允许旋转副本：在圆周上它们只作平移，每个从不同的一侧充填。</translation>
+    </message>
+    <message>
+        <source>While it is filled the mold is tilted by {0}° towards {1}: {2} mm³ of air stay instead of {3}.</source>
+        <translation>充填时模具向{1}倾斜 {0}°：残留空气 {2} mm³，而不是 {3} mm³。</translation>
+    </message>
+    <message>
+        <source>Tilt the mold by {0}° towards {1} while it is filled: trapped air falls from {3} to {2} mm³.</source>
+        <translation>充填时请将模具向{1}倾斜 {0}°：残留空气由 {3} 降到 {2} mm³。</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -5580,6 +5632,102 @@
         <translation>残留空气</translation>
     </message>
     <message>
+        <source>Overflow</source>
+        <translation>溢流井</translation>
+    </message>
+    <message>
+        <source>Insert pocket in both halves</source>
+        <translation>两半模中的嵌件槽</translation>
+    </message>
+    <message>
+        <source>Insert pocket in half 1</source>
+        <translation>半模 1 中的嵌件槽</translation>
+    </message>
+    <message>
+        <source>Insert pocket in half 2</source>
+        <translation>半模 2 中的嵌件槽</translation>
+    </message>
+    <message>
+        <source>Plaque on half 1</source>
+        <translation>半模 1 上的铭牌</translation>
+    </message>
+    <message>
+        <source>Plaque on half 2</source>
+        <translation>半模 2 上的铭牌</translation>
+    </message>
+    <message>
+        <source>overflow</source>
+        <translation>溢流井</translation>
+    </message>
+    <message>
+        <source>overflow&apos;s channel</source>
+        <translation>溢流通道</translation>
+    </message>
+    <message>
+        <source>pocket</source>
+        <translation>嵌件槽</translation>
+    </message>
+    <message>
+        <source>plaque</source>
+        <translation>铭牌</translation>
+    </message>
+    <message>
+        <source>the right</source>
+        <translation>右方</translation>
+    </message>
+    <message>
+        <source>the left</source>
+        <translation>左方</translation>
+    </message>
+    <message>
+        <source>half 1</source>
+        <translation>半模 1</translation>
+    </message>
+    <message>
+        <source>half 2</source>
+        <translation>半模 2</translation>
+    </message>
+    <message>
+        <source>half 1 and the right</source>
+        <translation>半模 1 和右方</translation>
+    </message>
+    <message>
+        <source>half 1 and the left</source>
+        <translation>半模 1 和左方</translation>
+    </message>
+    <message>
+        <source>half 2 and the left</source>
+        <translation>半模 2 和左方</translation>
+    </message>
+    <message>
+        <source>half 2 and the right</source>
+        <translation>半模 2 和右方</translation>
+    </message>
+    <message>
+        <source>the back</source>
+        <translation>后方</translation>
+    </message>
+    <message>
+        <source>the front</source>
+        <translation>前方</translation>
+    </message>
+    <message>
+        <source>the back and the right</source>
+        <translation>右后方</translation>
+    </message>
+    <message>
+        <source>the back and the left</source>
+        <translation>左后方</translation>
+    </message>
+    <message>
+        <source>the front and the left</source>
+        <translation>左前方</translation>
+    </message>
+    <message>
+        <source>the front and the right</source>
+        <translation>右前方</translation>
+    </message>
+    <message>
         <source>cavity</source>
         <translation>型腔</translation>
     </message>
@@ -5746,6 +5894,20 @@
     <message>
         <source>Direction 2</source>
         <translation>方向 2</translation>
+    </message>
+    <message>
+        <source>Tilted while it is filled</source>
+        <translation>充填时倾斜</translation>
+    </message>
+    <message>
+        <source>Better tilted while it is filled</source>
+        <translation>充填时宜倾斜</translation>
+    </message>
+    <message>
+        <source>{0}° towards {1}
+air: {2} mm³, upright {3} mm³</source>
+        <translation>{0}°，向{1}
+空气：{2} mm³，直立时 {3} mm³</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -6008,6 +6170,14 @@ Open items: %1.</source>
     <message>
         <source>Each half along its own direction, the cast between</source>
         <translation>每半模沿各自方向，铸件居中</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>钢料</translation>
+    </message>
+    <message>
+        <source>Behind the walls, in mm; too thin is red</source>
+        <translation>型壁之后，毫米；过薄为红色</translation>
     </message>
     <message>
         <source>Certificate, on the written halves</source>

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace moldwright::cli {
@@ -116,15 +117,17 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
                                   session.task().part(0.1, 0.9));
     if (!mold)
         return std::unexpected(mold.error());
-    mold->notes.insert(mold->notes.begin(), notes.begin(), notes.end());
+    std::ranges::transform(notes, std::inserter(mold->notes, mold->notes.begin()),
+                           [](const std::string& note) { return Message{note, {}}; });
     if (const Result<void> written = writeMold(*mold, project.name, job.folder, formatsOf(job.also));
         !written)
         return std::unexpected(written.error());
     session.task().progress(1, "Done");
     describe(*mold, session.out());
-    for (const std::vector<std::string>* sentences : {&mold->notes, &mold->problems})
-        for (const std::string& sentence : *sentences)
-            session.tell({sentence, {}});
+    for (const Message& note : mold->notes)
+        session.tell(note);
+    for (const std::string& problem : mold->problems)
+        session.tell({problem, {}});
     if (const Result<void> written = session.writeJson(Json::parse(moldJson(*mold))); !written)
         return std::unexpected(written.error());
     return mold->verified() ? ExitCode::Yes : ExitCode::No;

@@ -188,7 +188,7 @@ void Workbench::buildMoldNow() {
                 say(Standing::Done, tr("Mold built: both halves are proved to come off."));
             for (const std::string& what : mold->problems)
                 say(Standing::Failing, sentence(what));
-            for (const std::string& what : mold->notes)
+            for (const Message& what : mold->notes)
                 say(Standing::Info, sentence(what));
             Q_EMIT changed();
             Q_EMIT moldBuilt();

@@ -68,11 +68,12 @@ void MoldBuilder::listCavity(const CavityCopy& copy) {
     listOverflows(copy);
     for (const RemainingAir& air : joined.remaining) {
         m_mold.trappedAir += air.volume;
-        features.push_back({"trapped_air",
-                            "Air that stays",
-                            air.place + by,
-                            {{"volume", air.volume}},
-                            "No vent can be placed here, or none that reaches higher."});
+        features.push_back(
+            {"trapped_air",
+             "Air that stays",
+             air.place + by,
+             {{"volume", air.volume}},
+             {MW_TEXT("Mold", "No vent can be placed here, or none that reaches higher."), {}}});
     }
 }
 
@@ -140,8 +141,10 @@ void MoldBuilder::comparePaths() {
     const auto [least, most] = std::minmax_element(m_mold.pathLengths.begin(), m_mold.pathLengths.end());
     constexpr double equal = 0.01; // of the longest
     if (*most - *least > equal * *most)
-        m_mold.notes.push_back("The cavities do not fill at the same time: the ways to them are " +
-                               readable(*least, 3) + " to " + readable(*most, 3) + " mm long.");
+        m_mold.notes.push_back(
+            {MW_TEXT("Mold", "The cavities do not fill at the same time: the ways to them are "
+                             "{0} to {1} mm long."),
+             {readable(*least, 3), readable(*most, 3)}});
 }
 
 void MoldBuilder::listRegistration() {
@@ -156,9 +159,11 @@ void MoldBuilder::listRegistration() {
                        {"height", settings.keys.height},
                        {"clearance", settings.keys.clearance},
                        {"lean_deg", key.leanDegrees}},
-                      raised ? "Its walls lean up to " + readable(key.leanDegrees, 3) +
-                                   "°: with less it would hold when one half is opened first."
-                             : ""},
+                      raised
+                          ? Message{MW_TEXT("Mold", "Its walls lean up to {0}°: with less it would hold when "
+                                                    "one half is opened first."),
+                                    {readable(key.leanDegrees, 3)}}
+                          : Message{}},
                      {Placeable::Key, static_cast<int>(i), key.place}, key.socket.base);
     }
     for (std::size_t i = 0; i < m_slits.size(); ++i) {
@@ -189,9 +194,9 @@ void MoldBuilder::listBores(const CavityCopy& copy) {
             feature.name = "Spout through half 1";
             feature.numbers.emplace_back("neck", spout().neck);
             feature.numbers.emplace_back("mouth", 2 * bore.stations.back().radius);
-            feature.note =
-                "Widens outwards: it breaks off at its neck when half 1 is taken off, and is pushed "
-                "out of it outwards.";
+            feature.note.text =
+                MW_TEXT("Mold", "Widens outwards: it breaks off at its neck when half 1 is taken "
+                                "off, and is pushed out of it outwards.");
             m_mold.pathLengths.push_back(length);
         } else {
             feature.numbers.emplace_back("diameter", m_mold.settings.ejectors.diameter);
@@ -247,7 +252,7 @@ void MoldBuilder::listPlaques() {
                                     {"stroke", plaque.strokeWidth()},
                                     {"depth", m_mold.settings.plaque.depth},
                                     {"volume", volume(plaque.solid())}},
-                                   "Reads: " + plaque.text});
+                                   {MW_TEXT("Mold", "Reads: {0}"), {plaque.text}}});
 }
 
 } // namespace moldwright

@@ -170,9 +170,11 @@ Result<void> MoldBuilder::measure() {
     m_mold.clampForce = m_mold.partingArea / 100 * settings.pressure / 100 * clampAllowance;
     compareWithMachines();
     if (m_mold.sprueVolume > 0)
-        m_mold.notes.push_back("Each spout through half 1 holds its sprue and breaks off at a neck of " +
-                               readable(spout().neck, 3) +
-                               " mm: the cast is proved without it. Push the sprues out of half 1 outwards.");
+        m_mold.notes.push_back(
+            {MW_TEXT("Mold",
+                     "Each spout through half 1 holds its sprue and breaks off at a neck of {0} mm: the cast "
+                     "is proved without it. Push the sprues out of half 1 outwards."),
+             {readable(spout().neck, 3)}});
     return {};
 }
 
@@ -186,8 +188,8 @@ Result<void> MoldBuilder::measureSteel() {
     m_mold.minWallPlace = m_mold.steel.front().place;
     for (const ThinSteel& thin : m_mold.steel)
         if (thin.thickness < m_mold.settings.leastSteel)
-            m_mold.notes.push_back("Only " + readable(thin.thickness, 3) + " mm of steel between " +
-                                   thin.first + " and " + thin.second + ".");
+            m_mold.notes.push_back({MW_TEXT("Mold", "Only {0} mm of steel between {1} and {2}."),
+                                    {readable(thin.thickness, 3), thin.first, thin.second}});
     listFeatures();
     return {};
 }
@@ -202,12 +204,13 @@ void MoldBuilder::compareWithMachines() {
             return x <= bed.x() && y <= bed.y() && size.z() <= bed.z();
         };
         if (bed.minCoeff() > 0 && !fits(size.x(), size.y()) && !fits(size.y(), size.x()))
-            m_mold.notes.push_back("Half " + std::to_string(side) + " of " + inMillimetres(size) +
-                                   " is larger than the printer's " + inMillimetres(bed) + ".");
+            m_mold.notes.push_back({MW_TEXT("Mold", "Half {0} of {1} is larger than the printer's {2}."),
+                                    {std::to_string(side), inMillimetres(size), inMillimetres(bed)}});
     }
     if (machines.clamp > 0 && m_mold.clampForce > machines.clamp)
-        m_mold.notes.push_back("The mold needs " + readable(m_mold.clampForce, 3) +
-                               " kN to stay closed; the press has " + readable(machines.clamp, 3) + " kN.");
+        m_mold.notes.push_back(
+            {MW_TEXT("Mold", "The mold needs {0} kN to stay closed; the press has {1} kN."),
+             {readable(m_mold.clampForce, 3), readable(machines.clamp, 3)}});
 }
 
 SharedMesh MoldBuilder::sprues() const {

@@ -78,9 +78,12 @@ Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& label
                        MW_TEXT("Mold", "No mold can be built round this cast. {0} Finish the cast first."),
                        {proof.reason});
     if (larger->factors.minCoeff() != larger->factors.maxCoeff() && !proof.draftHolds)
-        m_mold.notes.push_back("Shrinking differently along the axes turns faces: the draft falls to " +
-                               readable(proof.worstDraftDegrees) + "°. Design the cast with " +
-                               readable(2 * m_mold.draftDegrees - proof.worstDraftDegrees, 3) + "°.");
+        m_mold.notes.push_back(
+            {MW_TEXT("Mold",
+                     "Shrinking differently along the axes turns faces: the draft falls to {0}°. Design the "
+                     "cast with {1}°."),
+             {readable(proof.worstDraftDegrees),
+              readable(2 * m_mold.draftDegrees - proof.worstDraftDegrees, 3)}});
     int quarters = 0;
     if (inPlane())
         quarters = spout().pour == PourDirection::Automatic
@@ -119,8 +122,11 @@ Result<void> MoldBuilder::makeKinds() {
     if (!kinds)
         return std::unexpected(kinds.error());
     if (star() && std::all_of(kinds->begin(), kinds->end(), [](const CavityKind& k) { return k.turn == 0; }))
-        m_mold.notes.emplace_back("The removal directions do not allow turned copies: on the circle they are "
-                                  "only moved, and each is filled on another of its sides.");
+        m_mold.notes.push_back(
+            {MW_TEXT("Mold",
+                     "The removal directions do not allow turned copies: on the circle they are only moved, "
+                     "and each is filled on another of its sides."),
+             {}});
     m_mold.partToMold.prerotate(Eigen::AngleAxisd(kinds->front().turn, Vector3d::UnitZ()));
     const double depth = onPlaneTolerance(m_cast);
     const bool flips = settings.layout.alternation == Alternation::Flip;

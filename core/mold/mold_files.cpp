@@ -49,6 +49,13 @@ Json partToMold(const Mold& mold) {
     return rows((mold.partToMold * larger).matrix());
 }
 
+Json notes(const Mold& mold) {
+    Json all = Json::array();
+    for (const Message& note : mold.notes)
+        all.push_back(note.english());
+    return all;
+}
+
 Json features(const Mold& mold) {
     Json all = Json::array();
     for (const MoldFeature& feature : mold.features) {
@@ -60,8 +67,8 @@ Json features(const Mold& mold) {
         }
         for (const auto& [key, value] : feature.numbers)
             json[key] = value;
-        if (!feature.note.empty())
-            json["note"] = feature.note;
+        if (!feature.note.text.empty())
+            json["note"] = feature.note.english();
         all.push_back(std::move(json));
     }
     return all;
@@ -226,7 +233,7 @@ std::string moldJson(const Mold& mold) {
                   {"path_lengths", mold.pathLengths},
                   {"trapped_air", mold.trappedAir},
                   {"pour_tilt", pourTilt(mold)},
-                  {"notes", mold.notes},
+                  {"notes", notes(mold)},
                   {"problems", mold.problems}};
     return whole.dump(2) + "\n";
 }

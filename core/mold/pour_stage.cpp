@@ -78,16 +78,18 @@ Result<void> MoldBuilder::tellOfTilt() {
     if (!lean)
         return {};
     lean->applied = m_tilt.degrees > 0;
-    const std::string by = readable(lean->degrees, 3) + "° towards " +
-                           leaningWords(lying() ? Resting::Lying : Resting::Standing, lean->towards);
-    const std::string upright = readable(lean->airUpright, 3);
-    const std::string air = readable(lean->air, 3);
-    m_mold.notes.push_back(lean->applied ? "While it is filled the mold is tilted by " + by + ": " + air +
-                                               " mm³ of air stay instead of " + upright + "."
-                                         : "Tilt the mold by " + by +
-                                               " while it is filled: trapped air falls "
-                                               "from " +
-                                               upright + " to " + air + " mm³.");
+    m_mold.notes.push_back(
+        {lean->applied
+             ? MW_TEXT(
+                   "Mold",
+                   "While it is filled the mold is tilted by {0}° towards {1}: {2} mm³ of air stay instead "
+                   "of {3}.")
+             : MW_TEXT("Mold",
+                       "Tilt the mold by {0}° towards {1} while it is filled: trapped air falls from {3} to "
+                       "{2} mm³."),
+         {readable(lean->degrees, 3),
+          leaningWords(lying() ? Resting::Lying : Resting::Standing, lean->towards), readable(lean->air, 3),
+          readable(lean->airUpright, 3)}});
     return {};
 }
 

@@ -41,6 +41,30 @@ constexpr Size kSizes[] = {{"volume", "{0}", " mm³"},
                                                    MW_TEXT("Report", "Ejector hole in half 1"),
                                                    MW_TEXT("Report", "Ejector hole in half 2"),
                                                    MW_TEXT("Report", "Air that stays"),
+                                                   MW_TEXT("Report", "Overflow"),
+                                                   MW_TEXT("Report", "Insert pocket in both halves"),
+                                                   MW_TEXT("Report", "Insert pocket in half 1"),
+                                                   MW_TEXT("Report", "Insert pocket in half 2"),
+                                                   MW_TEXT("Report", "Plaque on half 1"),
+                                                   MW_TEXT("Report", "Plaque on half 2"),
+                                                   MW_TEXT("Report", "overflow"),
+                                                   MW_TEXT("Report", "overflow's channel"),
+                                                   MW_TEXT("Report", "pocket"),
+                                                   MW_TEXT("Report", "plaque"),
+                                                   MW_TEXT("Report", "the right"),
+                                                   MW_TEXT("Report", "the left"),
+                                                   MW_TEXT("Report", "half 1"),
+                                                   MW_TEXT("Report", "half 2"),
+                                                   MW_TEXT("Report", "half 1 and the right"),
+                                                   MW_TEXT("Report", "half 1 and the left"),
+                                                   MW_TEXT("Report", "half 2 and the left"),
+                                                   MW_TEXT("Report", "half 2 and the right"),
+                                                   MW_TEXT("Report", "the back"),
+                                                   MW_TEXT("Report", "the front"),
+                                                   MW_TEXT("Report", "the back and the right"),
+                                                   MW_TEXT("Report", "the back and the left"),
+                                                   MW_TEXT("Report", "the front and the left"),
+                                                   MW_TEXT("Report", "the front and the right"),
                                                    MW_TEXT("Report", "cavity"),
                                                    MW_TEXT("Report", "spout"),
                                                    MW_TEXT("Report", "runner"),
@@ -122,10 +146,18 @@ std::optional<ReportTable> featureTable(const Mold& mold, const Phrases& say) {
 }
 
 std::vector<std::string> notesOf(const Mold& mold, const Phrases& say) {
-    std::vector<std::string> notes = mold.notes;
+    // Names of features are arguments too.
+    const auto told = [&](Message note) {
+        std::ranges::transform(note.arguments, note.arguments.begin(),
+                               [&](const std::string& argument) { return say(argument); });
+        return say(note.text, note.arguments);
+    };
+    std::vector<std::string> notes;
+    for (const Message& note : mold.notes)
+        notes.push_back(told(note));
     for (const MoldFeature& feature : mold.features) {
-        const std::string note = say(feature.name) + ": " + feature.note;
-        if (!feature.note.empty() && std::ranges::find(notes, note) == notes.end())
+        const std::string note = say(feature.name) + ": " + told(feature.note);
+        if (!feature.note.text.empty() && std::ranges::find(notes, note) == notes.end())
             notes.push_back(note);
     }
     return notes;

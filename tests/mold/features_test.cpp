@@ -161,7 +161,7 @@ TEST(MoldFeatures, AKeyLeansAsTheDirectionsAsk) {
     expectVerified(mold);
     for (const MoldFeature& feature : mold->features)
         if (feature.kind == "key") {
-            EXPECT_FALSE(feature.note.empty());
+            EXPECT_FALSE(feature.note.text.empty());
             EXPECT_NEAR(feature.numbers.back().second, 15, 0.2);
         }
 }

@@ -133,7 +133,7 @@ TEST(PourTilt, IsSuggestedWhereVentsLeaveAir) {
     EXPECT_NEAR(mold->leaning->airUpright, mold->trappedAir, 1e-6) << "what is built upright";
     const auto told = [](const Mold& of, const std::string& words) {
         return std::ranges::any_of(of.notes,
-                                   [&](const std::string& note) { return note.starts_with(words); });
+                                   [&](const Message& note) { return note.english().starts_with(words); });
     };
     EXPECT_TRUE(told(*mold, "Tilt the mold by "));
     settings.spout.tilt = {false, mold->leaning->degrees, mold->leaning->towards};

@@ -188,9 +188,9 @@ TEST(ReportData, ListsFeaturesByNameWithTheirSizes) {
 TEST(ReportData, TellsWhatTheBuilderNoted) {
     ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
     Mold mold = *subject.mold;
-    mold.notes = {"The ways are not equally long."};
-    mold.features.push_back({"key", "Key", {}, {}, "Its walls lean."});
-    mold.features.push_back({"key", "Key", {}, {}, "Its walls lean."});
+    mold.notes = {{"The ways are not equally long.", {}}};
+    mold.features.push_back({"key", "Key", {}, {}, {"Its walls lean.", {}}});
+    mold.features.push_back({"key", "Key", {}, {}, {"Its walls lean.", {}}});
     subject.mold = std::make_shared<const Mold>(mold);
     EXPECT_EQ(reportData(subject).notes,
               (std::vector<std::string>{"The ways are not equally long.", "Key: Its walls lean."}));
