@@ -28,7 +28,7 @@ struct MoldHalf {
 
 /// One feature as it was made: for mold.json, the report, and the places that a view points at.
 struct MoldFeature {
-    std::string kind; ///< "block", "cavity", "spout", "runner", "gate", "vent", "key", "slit"
+    std::string kind; ///< "block", "cavity", "spout", "runner", "gate", "vent", "overflow", "key", "slit"
     std::string name; ///< English
     Eigen::Vector3d place = Eigen::Vector3d::Zero();     ///< mm, mold's frame
     std::vector<std::pair<std::string, double>> numbers; ///< by key of mold.json; mm, degrees, mm³
