@@ -9,6 +9,7 @@ namespace moldwright {
 constexpr const char* viewMenu = QT_TRANSLATE_NOOP("Actions", "&View");
 constexpr const char* helpMenu = QT_TRANSLATE_NOOP("Actions", "&Help");
 constexpr const char* planeMenu = QT_TRANSLATE_NOOP("Actions", "P&lane");
+constexpr const char* moldMenu = QT_TRANSLATE_NOOP("Actions", "&Mold");
 constexpr const char* windowMenu = QT_TRANSLATE_NOOP("Actions", "&Window");
 
 std::span<const ActionSpec> actionTable() {
@@ -101,6 +102,9 @@ std::span<const ActionSpec> actionTable() {
          true},
         {"show-importance", viewMenu, QT_TRANSLATE_NOOP("Actions", "&Importance"), "", "I",
          QT_TRANSLATE_NOOP("Actions", "Paint every face by how important it is to keep its shape."),
+         Needs::Part, true},
+        {"show-steel", viewMenu, QT_TRANSLATE_NOOP("Actions", "S&teel"), "", "Shift+M",
+         QT_TRANSLATE_NOOP("Actions", "Paint the walls of the mold by the steel behind them, in mm."),
          Needs::Part, true},
         {"show-plain", viewMenu, QT_TRANSLATE_NOOP("Actions", "P&lain"), "", "L",
          QT_TRANSLATE_NOOP("Actions", "Show the shape alone."), Needs::Part, true},
@@ -327,29 +331,24 @@ std::span<const ActionSpec> actionTable() {
          QT_TRANSLATE_NOOP("Actions", "Back to the undeformed part; the plane stays."), Needs::CastShape,
          false, true},
 
-        {"build-mold", QT_TRANSLATE_NOOP("Actions", "&Mold"), QT_TRANSLATE_NOOP("Actions", "&Build mold"),
-         "mold", "Ctrl+M",
+        {"build-mold", moldMenu, QT_TRANSLATE_NOOP("Actions", "&Build mold"), "mold", "Ctrl+M",
          QT_TRANSLATE_NOOP("Actions", "Make both mold halves around the cast, and prove that they come off."),
          Needs::ProvedCast},
-        {"open-mold", QT_TRANSLATE_NOOP("Actions", "&Mold"),
-         QT_TRANSLATE_NOOP("Actions", "&Open or close the mold"), "explode", "X",
+        {"open-mold", moldMenu, QT_TRANSLATE_NOOP("Actions", "&Open or close the mold"), "explode", "X",
          QT_TRANSLATE_NOOP("Actions", "Move the halves apart along their directions, or together."),
          Needs::MoldBuilt},
-        {"save-preset", QT_TRANSLATE_NOOP("Actions", "&Mold"),
-         QT_TRANSLATE_NOOP("Actions", "&Save as a preset…"), "", "",
+        {"save-preset", moldMenu, QT_TRANSLATE_NOOP("Actions", "&Save as a preset…"), "", "",
          QT_TRANSLATE_NOOP("Actions",
                            "Keep block, layout, features and machines under a name, for other parts."),
          Needs::IdlePart},
-        {"remove-preset", QT_TRANSLATE_NOOP("Actions", "&Mold"),
-         QT_TRANSLATE_NOOP("Actions", "&Remove the preset"), "", "",
+        {"remove-preset", moldMenu, QT_TRANSLATE_NOOP("Actions", "&Remove the preset"), "", "",
          QT_TRANSLATE_NOOP("Actions", "Forget it; the mold keeps its settings."), Needs::IdlePart},
 
-        {"place-automatically", QT_TRANSLATE_NOOP("Actions", "&Mold"),
-         QT_TRANSLATE_NOOP("Actions", "Place &automatically"), "restore", "",
+        {"place-automatically", moldMenu, QT_TRANSLATE_NOOP("Actions", "Place &automatically"), "restore", "",
          QT_TRANSLATE_NOOP("Actions", "Give the chosen feature of the mold back to the program."),
          Needs::ChosenByHand, false, true},
-        {"place-all-automatically", QT_TRANSLATE_NOOP("Actions", "&Mold"),
-         QT_TRANSLATE_NOOP("Actions", "Place a&ll automatically"), "restore", "",
+        {"place-all-automatically", moldMenu, QT_TRANSLATE_NOOP("Actions", "Place a&ll automatically"),
+         "restore", "",
          QT_TRANSLATE_NOOP("Actions", "Give all features of the mold back that a hand has placed."),
          Needs::AnyByHand},
 

@@ -36,13 +36,13 @@ std::optional<PartingPlane> planeOf(const SectionCut& cut, const std::optional<M
 QStringList displayModeNames() {
     return {Words::tr("Undercuts"),  Words::tr("Draft map"),  Words::tr("Undercut depth"),
             Words::tr("Deviation"),  Words::tr("Difference"), Words::tr("Strain"),
-            Words::tr("Importance"), Words::tr("Plain")};
+            Words::tr("Importance"), Words::tr("Steel"),      Words::tr("Plain")};
 }
 
 QString displayModeCommand(DisplayMode mode) {
     static const std::array<QString, displayModeCount> commands = {
-        u"show-undercuts"_s,  u"show-draft"_s,  u"show-depth"_s,      u"show-deviation"_s,
-        u"show-difference"_s, u"show-strain"_s, u"show-importance"_s, u"show-plain"_s};
+        u"show-undercuts"_s, u"show-draft"_s,      u"show-depth"_s, u"show-deviation"_s, u"show-difference"_s,
+        u"show-strain"_s,    u"show-importance"_s, u"show-steel"_s, u"show-plain"_s};
     return commands.at(static_cast<std::size_t>(mode));
 }
 

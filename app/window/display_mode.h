@@ -10,7 +10,8 @@
 
 namespace moldwright {
 
-/// What the faces are painted by: red undercuts, classes of draft, a map of numbers, or painted importance.
+/// What the faces are painted by: red undercuts, classes of draft, a map of numbers, painted importance, or
+/// the steel behind the walls of the mold's halves.
 enum class DisplayMode {
     Undercuts,
     DraftMap,
@@ -19,9 +20,10 @@ enum class DisplayMode {
     Difference,
     Strain,
     Importance,
+    Steel,
     Plain
 };
-inline constexpr int displayModeCount = 8;
+inline constexpr int displayModeCount = 9;
 
 /// What a view shows of the part: the newest shape (a run's, the cast, or the part while there is no other),
 /// the part as it was opened, or the variant that is compared with the current one (while none is: the newest

@@ -158,7 +158,8 @@ FacePaint paintFor(const ShownSurface& surface, DisplayMode mode, const FaceMap*
         paint.standIn = byValue(map->standInValues, *map);
         return paint;
     }
-    const DisplayMode shown = isMap(mode) ? DisplayMode::Plain : mode;
+    const bool byOthers = isMap(mode) || mode == DisplayMode::Steel;
+    const DisplayMode shown = byOthers ? DisplayMode::Plain : mode;
     const double required = surface.variant->design.draftDegrees;
     if (!surface.coarse)
         paint.faces = byDraft(surface.drawn->mesh->F.rows(), surface.analysis, required, shown);

@@ -29,6 +29,7 @@ std::vector<double> valuesFor(const MapRequest& request) {
     case DisplayMode::Undercuts:
     case DisplayMode::DraftMap:
     case DisplayMode::Importance:
+    case DisplayMode::Steel:
     case DisplayMode::Plain:
         break;
     }

@@ -24,6 +24,7 @@ namespace moldwright {
 
 class Banner;
 class CommandSearch;
+class LiveSteel;
 class MeasureTool;
 class MessageList;
 class PaintTool;
@@ -46,6 +47,7 @@ struct Advice;
 struct FaceMap;
 struct OpenedMesh;
 struct ProjectRow;
+struct ShownSteel;
 struct ShownSurface;
 
 enum class ViewLayout;
@@ -138,6 +140,9 @@ private:
     void snapPlane(const PartingPlane& plane);
 
     // main_window_mold.cpp
+    [[nodiscard]] bool moldShown() const;
+    /// Shows the halves, or hides them; painted where the steel is given.
+    void showMold(scene::Scene& scene, bool shown, const ShownSteel* steel);
     /// Whether the views show where the mold's features stand.
     [[nodiscard]] bool planShown() const;
     void serveFeatures(ViewPane& pane);
@@ -191,8 +196,6 @@ private:
     [[nodiscard]] bool showsOther(const ViewPane& pane) const;
     /// Brings a place into sight and points at its faces for a moment.
     void showPlace(const Eigen::AlignedBox3d& place);
-    void showMold(scene::Scene& scene, bool shown);
-    [[nodiscard]] bool moldShown() const;
     void useLook();
 
     // main_window_files.cpp
@@ -263,6 +266,7 @@ private:
     ViewLayout m_layoutBefore{}; ///< of the views, while variants are compared
     MeasureTool* m_measure = nullptr;
     PaintTool* m_paint = nullptr;
+    LiveSteel* m_steel = nullptr;
     std::optional<DisplayMode> m_modeBefore; ///< of the active view, while a tool that paints is in hand
     Turntable* m_turntable = nullptr;        ///< while one is taken
     Tour* m_tour = nullptr;                  ///< while it is on

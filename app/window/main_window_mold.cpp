@@ -3,9 +3,12 @@
 #include "window/main_window.h"
 
 #include "view/part_view.h"
+#include "window/live_steel.h"
 #include "window/mold_feature_pages.h"
 #include "window/mold_placing.h"
 #include "window/placing_snap.h"
+#include "window/steel_paint.h"
+#include "window/view_bar.h"
 #include "window/view_pane.h"
 #include "window/workbench.h"
 
@@ -39,6 +42,33 @@ const PlacedRow* shownRow(const MoldPlacing& placing, const scene::FeatureAt& at
 }
 
 } // namespace
+
+bool MainWindow::moldShown() const {
+    return m_bench.moldIsCurrent() && m_visible.mold &&
+           (m_selected == u"mold"_s || m_selected.startsWith(u"half"_s));
+}
+
+void MainWindow::showMold(scene::Scene& scene, bool shown, const ShownSteel* steel) {
+    const auto half = [&](int side) {
+        return !shown  ? scene::SharedDrawnMesh()
+               : steel ? steel->halves[static_cast<std::size_t>(side - 1)]
+                       : m_bench.drawnHalf(side);
+    };
+    if (half(1) == scene.half(1))
+        return;
+    if (!shown) {
+        scene.setHalves(nullptr, nullptr, Eigen::Isometry3d::Identity(), {});
+        return;
+    }
+    scene.setHalves(half(1), half(2), m_bench.mold()->partToMold.inverse(),
+                    m_bench.project().cast->state.directions);
+    for (const int side : {1, 2})
+        if (const auto i = static_cast<std::size_t>(side - 1); steel)
+            scene.setHalfColours(side, steelPaint(steel->maps[i], steel->maps[i].thickness, side),
+                                 steelPaint(steel->maps[i], steel->standInSteel[i], side));
+    scene.setContacts(m_bench.contacts());
+    scene.setOpening(m_viewBar->opening());
+}
 
 bool MainWindow::planShown() const {
     const bool chosen = m_selected == u"mold"_s || featureOf(m_selected);

@@ -7,12 +7,14 @@
 #include "window/face_paint.h"
 #include "window/importance_pages.h"
 #include "window/importance_paint.h"
+#include "window/live_steel.h"
 #include "window/measure_tool.h"
 #include "window/mold_feature_pages.h"
 #include "window/obstruction_words.h"
 #include "window/paint_tool.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
+#include "window/steel_paint.h"
 #include "window/undercut_pages.h"
 #include "window/view_area.h"
 #include "window/view_bar.h"
@@ -55,6 +57,8 @@ void MainWindow::buildViews(QWidget* parent) {
     m_views = new ViewArea(parent);
     m_measure = new MeasureTool(m_bench, this);
     m_paint = new PaintTool(m_bench, this);
+    m_steel = new LiveSteel(this);
+    connect(m_steel, &LiveSteel::measured, this, &MainWindow::refreshSoon);
     connect(m_paint, &PaintTool::painted, this, [this](int region) {
         if (region >= 0)
             select(regionId(region));
@@ -243,7 +247,9 @@ void MainWindow::refreshView(ViewPane& pane) {
     showSurface(view, surface, settings.mode, map);
     if (surface.picker)
         view.setPicker(surface.picker);
-    showMold(scene, inMold);
+    const bool bySteel = settings.mode == DisplayMode::Steel;
+    const ShownSteel* steel = inMold && bySteel ? m_steel->of(m_bench.mold()) : nullptr;
+    showMold(scene, inMold, steel);
     scene.setEdges(settings.edges);
     scene.setSeeThrough(settings.seeThrough);
     scene.setSurfaceVisible(m_visible.shape);
@@ -252,8 +258,9 @@ void MainWindow::refreshView(ViewPane& pane) {
     scene.setDirectionsVisible(m_visible.directions && !onlyShape);
     showCut(pane);
     scene.setDirectionLimits(m_bench.project().design.limits, m_selected.startsWith(u"direction"_s));
-    scene.setLegend(inMold ? contactLegend(m_bench.contacts())
-                           : legendIn(settings.mode, m_bench, surface, map, m_visible));
+    scene.setLegend(bySteel  ? steelLegend(steel, inMold)
+                    : inMold ? contactLegend(m_bench.contacts())
+                             : legendIn(settings.mode, m_bench, surface, map, m_visible));
     view.setBrushRadius(m_tool == Tool::Paint ? m_bench.brushRadius() : 0);
     scene.setStateChip(stateChipFor(m_bench, settings.content));
     scene.setChips(surface.drawn && !inMold ? chipsIn(pane, map) : std::vector<scene::Chip>());
@@ -324,26 +331,6 @@ void MainWindow::showCut(ViewPane& pane) {
     const PartingPlane from = *planeOf({cut->across, 0, false, cut->normal}, state);
     const Eigen::VectorXd along = (scene.surface()->bounds() * from.normal).array() - from.offset;
     pane.setCutRange(along.minCoeff(), along.maxCoeff());
-}
-
-bool MainWindow::moldShown() const {
-    return m_bench.moldIsCurrent() && m_visible.mold &&
-           (m_selected == u"mold"_s || m_selected.startsWith(u"half"_s));
-}
-
-void MainWindow::showMold(scene::Scene& scene, bool shown) {
-    const scene::SharedDrawnMesh none;
-    const scene::SharedDrawnMesh& half1 = shown ? m_bench.drawnHalf(1) : none;
-    if (half1 == scene.half(1))
-        return;
-    if (!shown) {
-        scene.setHalves(nullptr, nullptr, Eigen::Isometry3d::Identity(), {});
-        return;
-    }
-    scene.setHalves(half1, m_bench.drawnHalf(2), m_bench.mold()->partToMold.inverse(),
-                    m_bench.project().cast->state.directions);
-    scene.setContacts(m_bench.contacts());
-    scene.setOpening(m_viewBar->opening());
 }
 
 void MainWindow::useLook() {

@@ -116,6 +116,39 @@ TEST(Maps, DeviationAndStrainWaitForACastAndThenTellWhatThePanelTells) {
     driver.press("U");
 }
 
+TEST(Maps, SteelIsShownOnTheHalvesWithItsLimit) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.press("Shift+M");
+    PartView& view = driver.window().view();
+    const auto& legend = view.scene().overlay().legend();
+    const auto shows = [&](const char* words) { return legend.words().find(words) != std::string::npos; };
+    ASSERT_TRUE(driver.waitFor([&] { return shows("build the mold"); })) << legend.words();
+    driver.press("Ctrl+Return");
+    ASSERT_TRUE(driver.waitIdle(300000));
+    driver.bench().document().edit({}, [&] {
+        Project thin = driver.bench().project();
+        thin.mold.ceiling = 1.5; // over half 1; 2 mm are asked for
+        thin.mold.step = 0;
+        return thin;
+    }());
+    driver.press("Ctrl+M");
+    ASSERT_TRUE(driver.waitIdle());
+    ASSERT_TRUE(driver.waitFor([&] { return shows("below 2 mm, the least asked for"); })) << legend.words();
+    EXPECT_TRUE(shows("thinnest 1.5 mm")) << legend.words();
+    EXPECT_NE(view.scene().half(1), driver.bench().drawnHalf(1)) << "walls are cut into finer faces";
+    driver.press("9"); // from below: into half 1, opened
+    ASSERT_TRUE(driver.waitFor([&] { return !view.drawing(); }));
+    QTest::qWait(1500);
+    driver.shot("53-steel");
+    const auto red = [](QColor c) {
+        return c.red() > 120 && c.red() > 2 * c.green() && c.red() > 2 * c.blue();
+    };
+    EXPECT_GT(pixelsLike(view, red), 25) << "the thin ceiling";
+    driver.press("U");
+    ASSERT_TRUE(driver.waitFor([&] { return view.scene().half(1) == driver.bench().drawnHalf(1); }));
+}
+
 TEST(Section, OpensAtThePartingPlaneAndFollowsItsFields) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("rabbit"));

@@ -84,6 +84,12 @@ public:
     [[nodiscard]] const SharedDrawnMesh& half(int side) const {
         return (side == 1 ? m_half1 : m_half2).layer().mesh();
     }
+    /// One colour per face of half 1 or 2, and of its stand-in.
+    void setHalfColours(int side, std::span<const Rgb> faces, std::span<const Rgb> standIn) {
+        MeshLayer& layer = (side == 1 ? m_half1 : m_half2).layer();
+        layer.setFaceColours(faces);
+        layer.setStandInColours(standIn);
+    }
     /// What these halves meet of the surface while they leave: its faces are red where and while they do.
     void setContacts(const std::array<ContactWays, 2>& contacts) {
         m_contacts.setContacts(contacts);
