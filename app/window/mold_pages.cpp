@@ -394,7 +394,8 @@ void fillMoldPage(PropertyPanel& panel, const Workbench& bench) {
 }
 
 std::optional<Project> withMoldValue(const Project& project, const QString& id, const QVariant& value) {
-    const auto changed = [&](const MoldSettings& mold) {
+    const auto changed = [&](MoldSettings mold) {
+        mold.plaque.text = plaqueText(mold.plaque.text, project.name);
         return mold == project.mold ? std::nullopt : std::optional(withMoldSettings(project, mold));
     };
     if (id == presetRow())
@@ -404,7 +405,6 @@ std::optional<Project> withMoldValue(const Project& project, const QString& id, 
             if (field.row.id == id) {
                 MoldSettings mold = project.mold;
                 field.write(mold, value);
-                mold.plaque.text = plaqueText(mold.plaque.text, project.name);
                 return changed(mold);
             }
     return std::nullopt;

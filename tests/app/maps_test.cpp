@@ -144,7 +144,7 @@ TEST(Maps, SteelIsShownOnTheHalvesWithItsLimit) {
     const auto red = [](QColor c) {
         return c.red() > 120 && c.red() > 2 * c.green() && c.red() > 2 * c.blue();
     };
-    EXPECT_GT(pixelsLike(view, red), 200) << "the thin ceiling";
+    EXPECT_GT(pixelsLike(view, red), 25) << "the thin ceiling";
     driver.press("U");
     ASSERT_TRUE(driver.waitFor([&] { return view.scene().half(1) == driver.bench().drawnHalf(1); }));
 }
