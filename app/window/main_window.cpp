@@ -25,6 +25,8 @@
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/recovery.h"
+#include "window/refusal_pages.h"
+#include "window/refused_mesh.h"
 #include "window/row_places.h"
 #include "window/tour.h"
 #include "window/undercut_pages.h"
@@ -60,6 +62,8 @@ Step stepOf(const QString& id) {
 
 /// What is selected, or where it was in the tree when it is gone.
 QString stillThere(const QString& selected, const Workbench& bench) {
+    if (const RefusedMesh* refused = bench.refused())
+        return faultNumber(selected) < listedFaults(*refused) ? selected : refusedId();
     const auto isGone = [](int number, std::size_t count) { return number >= static_cast<int>(count); };
     if (isGone(obstructionNumber(selected), bench.obstructions().size()) ||
         isGone(undercutNumber(selected), bench.undercuts().size()))
@@ -131,7 +135,7 @@ void MainWindow::applyTheme() {
 }
 
 void MainWindow::refresh() {
-    const bool open = m_bench.project().part != nullptr;
+    const bool open = m_bench.project().part || m_bench.refused();
     m_centre->setCurrentIndex(open ? 1 : 0);
     for (Dock* dock : m_docks)
         dock->setVisible(open && dock->toggleViewAction()->property("wanted").toBool());
@@ -143,7 +147,7 @@ void MainWindow::refresh() {
         dock->setTitleShown(dock->isFloating() || tabifiedDockWidgets(dock).isEmpty());
     if (!open)
         showStart();
-    m_workflow->setStepsEnabled(open);
+    m_workflow->setStepsEnabled(open && !m_bench.refused());
     const Verdict verdict = verdictOf(m_bench);
     m_workflow->verdict()->setVerdict(verdict.standing, verdict.sentence, verdict.reason);
     const auto states = stepStates(m_bench);
@@ -193,7 +197,7 @@ void MainWindow::refreshHistory() {
 std::set<Needs> MainWindow::given() const {
     const Project& project = m_bench.project();
     const bool idle = !m_bench.background().busy();
-    const bool part = project.part != nullptr;
+    const bool part = project.part && !m_bench.refused();
     const bool plane = part && m_bench.shownState().has_value();
     const bool editable = m_bench.editable();
     const History& history = m_bench.document().history();
@@ -205,6 +209,10 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::Idle, idle);
     add(Needs::Part, part);
     add(Needs::IdlePart, part && idle);
+    add(Needs::InView, part || m_bench.refused());
+    add(Needs::IdleInView, idle && (part || m_bench.refused()));
+    add(Needs::Refused, idle && m_bench.refused());
+    add(Needs::FaultPlace, m_bench.refused() && listedFaults(*m_bench.refused()) > 0);
     add(Needs::Plane, plane);
     add(Needs::IdlePlane, plane && idle);
     add(Needs::EditablePart, part && editable);
@@ -262,6 +270,10 @@ void MainWindow::refreshActions() {
 
 void MainWindow::refreshTitle() {
     const Project& project = m_bench.project();
+    if (m_bench.refused()) {
+        setWindowTitle(tr("%1 · Moldwright").arg(m_bench.refused()->name));
+        return;
+    }
     if (!project.part) {
         setWindowTitle(tr("Moldwright"));
         return;
@@ -275,7 +287,11 @@ void MainWindow::refreshHint() {
     if (m_turntable)
         return; // it tells how far it is
     const QString keys = tr("<b>?</b> shows all keys.");
-    if (!m_bench.project().part)
+    if (m_bench.refused())
+        m_hint->setText(tr("<b>F3</b> goes from place to place, <b>F5</b> reads the file again, <b>Esc</b> "
+                           "goes back to what was open. %1")
+                            .arg(keys));
+    else if (!m_bench.project().part)
         m_hint->setText(tr("Open a part, drop one here, or choose a sample. %1").arg(keys));
     else if (m_tool != Tool::None)
         m_hint->setText(toolHint());
@@ -312,7 +328,7 @@ void MainWindow::refreshHint() {
 }
 
 void MainWindow::refreshProperties(bool evenIfSame) {
-    if (!m_bench.project().part)
+    if (!m_bench.project().part && !m_bench.refused())
         return;
     m_properties->showPage(propertyPage(m_selected, m_bench, m_actions), evenIfSame);
     fillPage(*m_properties, m_bench);
@@ -325,7 +341,7 @@ void MainWindow::select(const QString& id) {
         return;
     m_selected = id;
     m_tree->select(id);
-    if (obstructionNumber(id) >= 0 || undercutNumber(id) >= 0)
+    if (obstructionNumber(id) >= 0 || undercutNumber(id) >= 0 || faultNumber(id) >= 0)
         fitSelection();
     m_workflow->setCurrentStep(static_cast<int>(stepOf(id)));
     refreshSoon();

@@ -13,6 +13,7 @@
 #include "window/paint_tool.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
+#include "window/refusal_pages.h"
 #include "window/undercut_pages.h"
 #include "window/view_area.h"
 #include "window/view_bar.h"
@@ -101,6 +102,8 @@ void MainWindow::connectPane(ViewPane& pane) {
     });
     connect(view, &PartView::dragCancelled, this, [this] { m_bench.document().endPreview(); });
     connect(view, &PartView::markClicked, this, [this](int chip) {
+        if (const RefusedMesh* refused = m_bench.refused())
+            return select(faultId(markedFaults(*refused, m_selected).at(static_cast<std::size_t>(chip))));
         const auto obstructions = static_cast<int>(m_bench.obstructions().size());
         const std::vector<int> undercuts = markedUndercuts(m_bench, m_selected);
         if (chip < obstructions)
@@ -180,6 +183,7 @@ void MainWindow::setMode(DisplayMode mode) {
 void MainWindow::refreshViewActions() {
     const ViewSettings& settings = m_views->active().settings();
     m_viewBar->setMode(settings.mode);
+    m_viewBar->setModesEnabled(!m_bench.refused());
     for (int mode = 0; mode < displayModeCount; ++mode)
         m_actions[displayModeCommand(static_cast<DisplayMode>(mode))]->setChecked(
             settings.mode == static_cast<DisplayMode>(mode));
@@ -229,9 +233,13 @@ void MainWindow::refreshNextView() {
 }
 
 void MainWindow::refreshView(ViewPane& pane) {
+    if (m_bench.refused())
+        return showRefused(pane);
     const ViewSettings& settings = pane.settings();
     PartView& view = pane.view();
     scene::Scene& scene = view.scene();
+    scene.setFaults({});
+    scene.setTwoSided(false);
     const bool inMold = moldShown() && settings.content == ViewContent::Newest;
     const bool inPlan = planShown() && settings.content == ViewContent::Newest;
     view.setEditable(!inMold && !inPlan && !showsOther(pane) && m_bench.editable());

@@ -8,6 +8,7 @@
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/presentation.h"
+#include "window/refusal_pages.h"
 #include "window/sentence.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
@@ -266,6 +267,8 @@ PropertyPage castPage(const Workbench&, const Actions& actions) {
 } // namespace
 
 PropertyPage propertyPage(const QString& selected, const Workbench& bench, const Actions& actions) {
+    if (bench.refused())
+        return refusedPage(selected, *bench.refused(), actions);
     if (selected == u"plane"_s)
         return planePage(bench, actions);
     if (selected.startsWith(u"direction"_s) && bench.project().state)

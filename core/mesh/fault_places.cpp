@@ -72,6 +72,9 @@ public:
         std::map<int, FaultPlace> places;
         for (const int f : faces)
             places[groups.rootOf(f)].faces.push_back(f);
+        if (kind == FaultKind::FaceWithoutArea)
+            for (auto& [root, place] : places)
+                place.edges = sidesOf(place.faces);
         add(kind, std::move(places));
     }
 
@@ -113,6 +116,14 @@ private:
                          [](const FaultPlace& a, const FaultPlace& b) {
                              return a.box.diagonal().norm() > b.box.diagonal().norm();
                          });
+    }
+
+    [[nodiscard]] std::vector<std::array<int, 2>> sidesOf(const std::vector<int>& faces) const {
+        std::vector<std::array<int, 2>> sides;
+        for (const int f : faces)
+            for (int k = 0; k < 3; ++k)
+                sides.push_back({m_mesh.F(f, k), m_mesh.F(f, (k + 1) % 3)});
+        return sides;
     }
 
     [[nodiscard]] Eigen::AlignedBox3d boxOf(const FaultPlace& place) const {

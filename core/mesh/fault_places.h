@@ -26,12 +26,12 @@ inline constexpr int faultKindCount = 7;
 struct FaultPlace {
     FaultKind kind = FaultKind::Hole;
     std::vector<int> faces;                ///< concerned, ascending
-    std::vector<std::array<int, 2>> edges; ///< of holes and crowded edges: between which points they run
+    std::vector<std::array<int, 2>> edges; ///< open, crowded, or of faces without area: by their points
     Eigen::AlignedBox3d box;               ///< about the edges, or else about the faces; mm
 };
 
-/// All places of examine()'s mesh where its diagnosis finds fault: by kind in the order of FaultKind, within a
-/// kind the widest first. None for a mesh that was refused before it could be diagnosed.
+/// All places of examine()'s mesh where its diagnosis finds fault: by kind in the order of FaultKind, within
+/// a kind the widest first. None for a mesh that was refused before it could be diagnosed.
 [[nodiscard]] std::vector<FaultPlace> faultPlaces(const Examination& part);
 
 } // namespace moldwright

@@ -90,6 +90,27 @@ TEST(FaultPlaces, AnEnclosedSurfaceIsItsOwnFaces) {
     EXPECT_EQ(places[0].faces.front(), outer.faceCount());
 }
 
+TEST(FaultPlaces, AFaceWithoutAreaIsSeenByItsEdges) {
+    // A point in the middle of an edge of one face only: what closes the gap has no area.
+    IndexedMesh box = test::box({0, 0, 0}, {1, 1, 1});
+    const int a = box.F(0, 0);
+    const int b = box.F(0, 1);
+    const int c = box.F(0, 2);
+    const int middle = box.vertexCount();
+    box.V.conservativeResize(middle + 1, 3);
+    box.V.row(middle) = (box.V.row(a) + box.V.row(b)) / 2;
+    const int m = box.faceCount();
+    box.F.conservativeResize(m + 2, 3);
+    box.F.row(0) << a, middle, c;
+    box.F.row(m) << middle, b, c;
+    box.F.row(m + 1) << a, b, middle;
+    const std::vector<FaultPlace> places = placesOf(box);
+    ASSERT_EQ(places.size(), 1U);
+    EXPECT_EQ(places[0].kind, FaultKind::FaceWithoutArea);
+    EXPECT_EQ(places[0].faces, std::vector{m + 1});
+    EXPECT_EQ(places[0].edges.size(), 3U);
+}
+
 TEST(FaultPlaces, AMeshRefusedForItsSizeIsNotSearched) {
     IndexedMesh huge = without(test::box({0, 0, 0}, {1, 1, 1}), {0});
     huge.V *= 1e60;
