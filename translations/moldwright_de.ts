@@ -1363,6 +1363,10 @@
         <source>no limit</source>
         <translation>keine Grenze</translation>
     </message>
+    <message>
+        <source>%1 regions</source>
+        <translation>%1 Regionen</translation>
+    </message>
 </context>
 <context>
     <name>ImportancePaint</name>
@@ -2091,6 +2095,10 @@
         <source>%1 mm of steel to %2</source>
         <translation>%1 mm Stahl bis %2</translation>
     </message>
+    <message>
+        <source>Place %1 features automatically</source>
+        <translation>%1 Elemente automatisch platzieren</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>
@@ -2199,6 +2207,18 @@
     <message>
         <source>%1 to the plane</source>
         <translation>%1 zur Ebene</translation>
+    </message>
+    <message>
+        <source>%1 pins</source>
+        <translation>%1 Heftpunkte</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1 pins</source>
+        <translation>%1 Heftpunkte verschieben</translation>
     </message>
 </context>
 <context>
@@ -3938,10 +3958,6 @@
         <translation>Rundumansicht nach %1 geschrieben.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, &lt;b&gt;Del&lt;/b&gt; removes it; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
-        <translation>&lt;b&gt;Klicken&lt;/b&gt; wählt einen Heftpunkt, &lt;b&gt;Entf&lt;/b&gt; entfernt ihn; &lt;b&gt;P&lt;/b&gt; heftet einen weiteren Punkt an. %1</translation>
-    </message>
-    <message>
         <source>Pins from a file</source>
         <translation>Heftpunkte aus einer Datei</translation>
     </message>
@@ -4116,6 +4132,10 @@
     <message>
         <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
         <translation>&lt;b&gt;F3&lt;/b&gt; geht von Stelle zu Stelle, &lt;b&gt;F5&lt;/b&gt; liest die Datei noch einmal, &lt;b&gt;Esc&lt;/b&gt; kehrt zum Geöffneten zurück. %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, with &lt;b&gt;Ctrl&lt;/b&gt; several, or draw a box; &lt;b&gt;Del&lt;/b&gt; removes them; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
+        <translation>&lt;b&gt;Klick&lt;/b&gt; wählt einen Heftpunkt, mit &lt;b&gt;Strg&lt;/b&gt; mehrere, auch mit einem Rahmen; &lt;b&gt;Entf&lt;/b&gt; entfernt sie; &lt;b&gt;P&lt;/b&gt; setzt einen weiteren. %1</translation>
     </message>
 </context>
 <context>
@@ -4870,6 +4890,22 @@
         <source>Pin %1</source>
         <translation>Heftpunkt %1</translation>
     </message>
+    <message>
+        <source>Change regions' weights</source>
+        <translation>Gewichte von Regionenn ändern</translation>
+    </message>
+    <message>
+        <source>Change regions' limits</source>
+        <translation>Grenzen von Regionenn ändern</translation>
+    </message>
+    <message>
+        <source>Remove %1 regions</source>
+        <translation>%1 Regionen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1 pins</source>
+        <translation>%1 Heftpunkte entfernen</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -5138,6 +5174,28 @@
     <message>
         <source>Mesh problems</source>
         <translation>Mängel des Netzes</translation>
+    </message>
+</context>
+<context>
+    <name>ChosenFeatures</name>
+    <message>
+        <source>%1 features of the mold</source>
+        <translation>%1 Elemente der Form</translation>
+    </message>
+    <message>
+        <source>Each is placed on its own; these are given back together.</source>
+        <translation>Jedes steht für sich; gemeinsam werden sie dem Programm überlassen.</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::QuantitySpinBox</name>
+    <message>
+        <source>mixed</source>
+        <translation>gemischt</translation>
     </message>
 </context>
 </TS>

@@ -1363,6 +1363,10 @@
         <source>no limit</source>
         <translation>不限</translation>
     </message>
+    <message>
+        <source>%1 regions</source>
+        <translation>%1 个区域</translation>
+    </message>
 </context>
 <context>
     <name>ImportancePaint</name>
@@ -2091,6 +2095,10 @@
         <source>%1 mm of steel to %2</source>
         <translation>到%2的钢材 %1 mm</translation>
     </message>
+    <message>
+        <source>Place %1 features automatically</source>
+        <translation>自动放置 %1 个特征</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>
@@ -2199,6 +2207,18 @@
     <message>
         <source>%1 to the plane</source>
         <translation>到平面 %1</translation>
+    </message>
+    <message>
+        <source>%1 pins</source>
+        <translation>%1 个固定点</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动%1</translation>
+    </message>
+    <message>
+        <source>Move %1 pins</source>
+        <translation>移动 %1 个固定点</translation>
     </message>
 </context>
 <context>
@@ -3738,10 +3758,6 @@
         <translation>形状静止。&lt;b&gt;空格&lt;/b&gt;继续弯曲，&lt;b&gt;Ctrl+Shift+Return&lt;/b&gt; 完成它。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, &lt;b&gt;Del&lt;/b&gt; removes it; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
-        <translation>&lt;b&gt;点击&lt;/b&gt;固定点以选中，&lt;b&gt;Del&lt;/b&gt; 移除；&lt;b&gt;P&lt;/b&gt; 固定另一个点。%1</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;X&lt;/b&gt; opens and closes the mold. %1</source>
         <translation>&lt;b&gt;X&lt;/b&gt; 打开和合上模具。%1</translation>
     </message>
@@ -4116,6 +4132,10 @@
     <message>
         <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
         <translation>&lt;b&gt;F3&lt;/b&gt; 逐处查看，&lt;b&gt;F5&lt;/b&gt; 重新读取文件，&lt;b&gt;Esc&lt;/b&gt; 返回之前打开的内容。%1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, with &lt;b&gt;Ctrl&lt;/b&gt; several, or draw a box; &lt;b&gt;Del&lt;/b&gt; removes them; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
+        <translation>&lt;b&gt;单击&lt;/b&gt;选择固定点，按住 &lt;b&gt;Ctrl&lt;/b&gt; 可选多个，也可框选；&lt;b&gt;Del&lt;/b&gt; 删除；&lt;b&gt;P&lt;/b&gt; 再钉一点。%1</translation>
     </message>
 </context>
 <context>
@@ -4870,6 +4890,22 @@
         <source>Pin %1</source>
         <translation>固定点 %1</translation>
     </message>
+    <message>
+        <source>Change regions' weights</source>
+        <translation>更改多个区域的权重</translation>
+    </message>
+    <message>
+        <source>Change regions' limits</source>
+        <translation>更改多个区域的限值</translation>
+    </message>
+    <message>
+        <source>Remove %1 regions</source>
+        <translation>移除 %1 个区域</translation>
+    </message>
+    <message>
+        <source>Remove %1 pins</source>
+        <translation>移除 %1 个固定点</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::WorkflowBar</name>
@@ -5138,6 +5174,28 @@
     <message>
         <source>Mesh problems</source>
         <translation>网格问题</translation>
+    </message>
+</context>
+<context>
+    <name>ChosenFeatures</name>
+    <message>
+        <source>%1 features of the mold</source>
+        <translation>%1 个模具特征</translation>
+    </message>
+    <message>
+        <source>Each is placed on its own; these are given back together.</source>
+        <translation>每个单独放置；可一起交还给程序。</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>已选</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::QuantitySpinBox</name>
+    <message>
+        <source>mixed</source>
+        <translation>不一</translation>
     </message>
 </context>
 </TS>

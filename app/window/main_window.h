@@ -235,6 +235,10 @@ private:
     void refreshHint();
     void refreshProperties(bool evenIfSame = false);
     void select(const QString& id);
+    /// Clicked or boxed rows go into what is chosen.
+    void choose(const QStringList& ids, Qt::KeyboardModifiers keys);
+    void serveBoxes(ViewPane& pane);
+    void removeChosen();
     void fitSelection();
     void chooseStep(int step);
     void applyTheme();

@@ -4,11 +4,11 @@
 
 #include "project/edits.h"
 #include "view/part_view.h"
+#include "window/chosen_features.h"
 #include "window/face_paint.h"
 #include "window/importance_pages.h"
 #include "window/importance_paint.h"
 #include "window/measure_tool.h"
-#include "window/mold_feature_pages.h"
 #include "window/obstruction_words.h"
 #include "window/paint_tool.h"
 #include "window/pin_pages.h"
@@ -88,6 +88,7 @@ void MainWindow::connectPane(ViewPane& pane) {
     m_measure->serve(pane);
     serveTools(pane);
     serveFeatures(pane);
+    serveBoxes(pane);
     PartView* view = &pane.view();
     view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
     view->scene().setLook(theme().scene, view->devicePixelRatioF());
@@ -268,7 +269,7 @@ void MainWindow::refreshView(ViewPane& pane) {
     const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
     scene.setPath(measured ? m_measure->measurement().path() : m_planePoints);
     showGuides(pane, surface);
-    scene.setPlan(inPlan ? shownPlan(m_bench, m_selected) : scene::ShownPlan());
+    scene.setPlan(inPlan ? planWithChosen(m_bench, m_selected) : scene::ShownPlan());
     view.redraw();
 }
 

@@ -279,11 +279,19 @@ bool* switchOf(Visibility& visible, const QString& id) {
 
 } // namespace
 
-void toggle(Visibility& visible, const QString& id) {
-    if (bool* shown = switchOf(visible, id))
-        *shown = !*shown;
-    else if (visible.hidden.erase(id) == 0)
-        visible.hidden.insert(id);
+void toggle(Visibility& visible, const QStringList& ids) {
+    const auto isShown = [&](const QString& id) {
+        const bool* shown = switchOf(visible, id);
+        return shown ? *shown : visible.shows(id);
+    };
+    const bool hide = std::ranges::any_of(ids, isShown);
+    for (const QString& id : ids)
+        if (bool* shown = switchOf(visible, id))
+            *shown = !hide;
+        else if (hide)
+            visible.hidden.insert(id);
+        else
+            visible.hidden.erase(id);
 }
 
 void forgetRow(Visibility& visible, const QString& id) {

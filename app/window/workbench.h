@@ -212,7 +212,7 @@ public:
     /// An empty name: it goes by its number.
     void renamePin(int pin, const QString& name);
     [[nodiscard]] QString pinName(int pin) const;
-    void removePin(int pin);
+    void removePins(const std::vector<int>& pins);
     void clearPins();
     /// Pins from and to the JSON that the command line takes.
     void importPins(const QString& file);
@@ -245,9 +245,9 @@ public:
     /// Where the faces of casts and frames were on the part.
     [[nodiscard]] LiveOrigins& origins() const { return m_origins; }
     void renameRegion(int region, const QString& name);
-    void weighRegion(int region, double weight, bool preview);
-    void limitRegion(int region, double keepWithin, bool preview);
-    void removeRegion(int region);
+    void weighRegions(const std::vector<int>& regions, double weight, bool preview);
+    void limitRegions(const std::vector<int>& regions, double keepWithin, bool preview);
+    void removeRegions(const std::vector<int>& regions);
     void clearImportance();
     /// Regions from and to the JSON that the command line takes.
     void importWeights(const QString& file);
@@ -333,8 +333,8 @@ private:
     bool acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words);
     [[nodiscard]] Project painted(int region, const std::vector<int>& faces, bool erase) const;
     [[nodiscard]] QString newRegionName() const;
-    void editRegion(int region, const QString& words, const QString& mergeKey, bool preview,
-                    const std::function<void(ImportantRegion&)>& change);
+    void editRegions(const std::vector<int>& numbers, const QString& words, const QString& mergeKey,
+                     bool preview, const std::function<void(ImportantRegion&)>& change);
     void tellOfRegions();
     void askRanks();
     void takeRanks(const RankRequest& request, const std::shared_ptr<const PinSuggestions>& ranked);
