@@ -40,15 +40,12 @@ NumberProperty millimetres(double least, double most, bool slider = false) {
     return {u"mm"_s, least, most, 0.5, 1, slider};
 }
 
-/// A field for one number, found in the settings by `place`.
+/// A field for one number, found by `place` in settings to be read and in settings to be written.
 template <class Place>
 Field numberField(const QString& id, const QString& label, const QString& help, NumberProperty kind,
                   Place place) {
     return {{id, label, help, std::move(kind)},
-            [place](const MoldSettings& mold) {
-                MoldSettings copy = mold;
-                return static_cast<double>(place(copy));
-            },
+            [place](const MoldSettings& mold) { return static_cast<double>(place(mold)); },
             [place](MoldSettings& mold, const QVariant& value) {
                 auto& number = place(mold);
                 number = static_cast<std::remove_reference_t<decltype(number)>>(value.toDouble());
@@ -66,11 +63,11 @@ FieldSection blockFields() {
         Words::tr("Block"),
         {numberField(u"wall"_s, Words::tr("Wall"),
                      Words::tr("Steel between the cavities and each side face."), steel,
-                     [](MoldSettings& mold) -> double& { return mold.wall; }),
+                     [](auto& mold) -> auto& { return mold.wall; }),
          numberField(u"ceiling"_s, Words::tr("Over half 1"), Words::tr("Steel over the cavities of half 1."),
-                     steel, [](MoldSettings& mold) -> double& { return mold.ceiling; }),
+                     steel, [](auto& mold) -> auto& { return mold.ceiling; }),
          numberField(u"floor"_s, Words::tr("Under half 2"), Words::tr("Steel under the cavities of half 2."),
-                     steel, [](MoldSettings& mold) -> double& { return mold.floor; }),
+                     steel, [](auto& mold) -> auto& { return mold.floor; }),
          {{u"block-shape"_s, Words::tr("Outline"),
            Words::tr(
                "A box, or a shell that saves material: what holds nothing is cut away from its corners."),
@@ -83,8 +80,7 @@ FieldSection blockFields() {
              u"outer-draft"_s, Words::tr("Outer draft"),
              Words::tr("The outer faces widen to the back by this, so that a half that is cast leaves "
                        "its form; below 0 they narrow."),
-             {u"°"_s, -15, 15, 0.5, 1, false},
-             [](MoldSettings& mold) -> double& { return mold.outerDraft; })}};
+             {u"°"_s, -15, 15, 0.5, 1, false}, [](auto& mold) -> auto& { return mold.outerDraft; })}};
 }
 
 /// The lengths of a stock as a person writes them, and back; what is no length is left out.
@@ -104,7 +100,7 @@ std::vector<double> stockFrom(const QString& text) {
 
 FieldSection machineFields() {
     const auto axis = [](Eigen::Index k) {
-        return [k](MoldSettings& mold) -> double& { return mold.machines.bed[k]; };
+        return [k](auto& mold) -> auto& { return mold.machines.bed[k]; };
     };
     const NumberProperty length = millimetres(0, 5000);
     const QString help =
@@ -122,7 +118,7 @@ FieldSection machineFields() {
              numberField(u"press"_s, Words::tr("Press"),
                          Words::tr("What it closes with; a mold that needs more is told of. 0: not known."),
                          {u"kN"_s, 0, 100000, 1, 1, false},
-                         [](MoldSettings& mold) -> double& { return mold.machines.clamp; })}};
+                         [](auto& mold) -> auto& { return mold.machines.clamp; })}};
 }
 
 FieldSection cavityFields() {
@@ -131,9 +127,9 @@ FieldSection cavityFields() {
     return {
         Words::tr("Cavities"),
         {numberField(u"columns"_s, Words::tr("Side by side"), Words::tr("Cavities in a row."), upTo,
-                     [](MoldSettings& mold) -> int& { return mold.layout.columns; }),
+                     [](auto& mold) -> auto& { return mold.layout.columns; }),
          numberField(u"rows"_s, Words::tr("Rows"), Words::tr("Rows of cavities."), upTo,
-                     [](MoldSettings& mold) -> int& { return mold.layout.rows; }),
+                     [](auto& mold) -> auto& { return mold.layout.rows; }),
          {{u"arrangement"_s, Words::tr("Arrangement"),
            Words::tr("How rows lie to each other. Packed: as close as the outlines allow. Circle: about a "
                      "spout in their middle, each filled over a way of the same length. Free: at the places "
@@ -159,7 +155,7 @@ FieldSection cavityFields() {
           }},
          numberField(u"spacing"_s, Words::tr("Steel between"),
                      Words::tr("Between cavities, and between them and channels."), millimetres(1, 50),
-                     [](MoldSettings& mold) -> double& { return mold.layout.spacing; }),
+                     [](auto& mold) -> auto& { return mold.layout.spacing; }),
          {{u"shrink"_s, Words::tr("Shrink"),
            Words::tr("By how much the material shrinks; the cavity is made larger by it. The same along "
                      "all axes of the part until y or z differ, then along x. Less than 0: it expands."),
@@ -172,9 +168,9 @@ FieldSection cavityFields() {
                               : Eigen::Vector3d(value.toDouble(), percent.y(), percent.z());
           }},
          numberField(u"shrink-y"_s, Words::tr("Along y"), Words::tr("Shrink along y of the part."),
-                     shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.y(); }),
+                     shrinkRange, [](auto& mold) -> auto& { return mold.shrink.percent.y(); }),
          numberField(u"shrink-z"_s, Words::tr("Along z"), Words::tr("Shrink along z of the part."),
-                     shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.z(); }),
+                     shrinkRange, [](auto& mold) -> auto& { return mold.shrink.percent.z(); }),
          {{u"shrink-formula"_s, Words::tr("Made larger by"),
            Words::tr("Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which."),
            ChoiceProperty{{u"1 + S"_s, u"1 / (1 − S)"_s}}},
@@ -201,21 +197,20 @@ FieldSection fillingFields() {
           }},
          numberField(u"spout-diameter"_s, Words::tr("Spout's width"),
                      Words::tr("In the parting plane; of one through half 1, above its neck."),
-                     millimetres(2, 60), [](MoldSettings& mold) -> double& { return mold.spout.diameter; }),
+                     millimetres(2, 60), [](auto& mold) -> auto& { return mold.spout.diameter; }),
          numberField(u"spout-neck"_s, Words::tr("Neck"),
                      Words::tr("Where a spout through half 1 breaks off."), millimetres(1, 30),
-                     [](MoldSettings& mold) -> double& { return mold.spout.neck; }),
+                     [](auto& mold) -> auto& { return mold.spout.neck; }),
          {{u"vents"_s, Words::tr("Vents"), Words::tr("Where air would stay while the mold is filled."),
            ChoiceProperty{{Words::tr("None"), Words::tr("Automatic")}}},
           [](const MoldSettings& mold) { return mold.vents.on ? 1.0 : 0.0; },
           [](MoldSettings& mold, const QVariant& value) { mold.vents.on = value.toInt() != 0; }},
          numberField(u"vent-depth"_s, Words::tr("Vents' depth"),
                      Words::tr("In the parting plane, both halves together; 0: as their width asks."),
-                     {u"mm"_s, 0, 5, 0.01, 3, false},
-                     [](MoldSettings& mold) -> double& { return mold.vents.depth; }),
+                     {u"mm"_s, 0, 5, 0.01, 3, false}, [](auto& mold) -> auto& { return mold.vents.depth; }),
          numberField(u"hollow"_s, Words::tr("Cast hollow"),
                      Words::tr("The wall that stays when the rest is poured out again; 0: solid."),
-                     millimetres(0, 50), [](MoldSettings& mold) -> double& { return mold.hollow.wall; })}};
+                     millimetres(0, 50), [](auto& mold) -> auto& { return mold.hollow.wall; })}};
 }
 
 FieldSection closingFields() {
@@ -223,17 +218,17 @@ FieldSection closingFields() {
             {countField(u"keys"_s, Words::tr("Registration keys"),
                         Words::tr("On half 2, in sockets of half 1; one is larger, so that the halves fit "
                                   "one way only."),
-                        12, [](MoldSettings& mold) -> int& { return mold.keys.count; }),
+                        12, [](auto& mold) -> auto& { return mold.keys.count; }),
              numberField(u"key-clearance"_s, Words::tr("Their clearance"),
                          Words::tr("On all sides and in depth."), {u"mm"_s, 0, 2, 0.05, 2, false},
-                         [](MoldSettings& mold) -> double& { return mold.keys.clearance; }),
+                         [](auto& mold) -> auto& { return mold.keys.clearance; }),
              countField(u"slits"_s, Words::tr("Wedge slits"),
                         Words::tr("Notches at the edge of the plane, to pry the halves apart."), 8,
-                        [](MoldSettings& mold) -> int& { return mold.slits.count; }),
+                        [](auto& mold) -> auto& { return mold.slits.count; }),
              countField(u"bolts"_s, Words::tr("Bolt holes"), Words::tr("Straight through both halves."), 12,
-                        [](MoldSettings& mold) -> int& { return mold.bolts.count; }),
+                        [](auto& mold) -> auto& { return mold.bolts.count; }),
              countField(u"ejectors"_s, Words::tr("Ejector holes"), Words::tr("For each cavity."), 8,
-                        [](MoldSettings& mold) -> int& { return mold.ejectors.count; })}};
+                        [](auto& mold) -> auto& { return mold.ejectors.count; })}};
 }
 
 std::vector<FieldSection> fieldSections() {
