@@ -35,7 +35,7 @@ std::vector<scene::Chip> MainWindow::directionChips(const ViewPane& pane) const 
     const scene::Scene& scene = pane.view().scene();
     std::vector<scene::Chip> chips;
     if (const auto state = m_bench.stateIn(pane.settings().content);
-        state && m_visible.directions && !m_modeBefore)
+        state && m_visible.directions && !m_modeBefore && !planShown()) // there they would cover the cast
         for (const int side : {1, 2})
             chips.push_back(
                 {scene.arrowTip(side),

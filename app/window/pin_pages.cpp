@@ -104,13 +104,14 @@ PropertyPage allPage(const Workbench& bench, const Actions& actions) {
     else
         set.rows = {Property{u"pin-number"_s, Words::tr("Pins"), {}, ReadingProperty{}},
                     Property{u"pin-farthest"_s, Words::tr("Farthest from the plane"), {}, ReadingProperty{}}};
-    page.sections = {std::move(set),
-                     tableOfPins(bench),
-                     suggestedSection(bench, actions),
-                     {Words::tr("All pins"),
-                      {},
-                      {actions[u"clear-pins"_s], actions[u"import-pins"_s], actions[u"export-pins"_s]},
-                      false}};
+    page.sections = {std::move(set)};
+    if (!bench.project().pins.empty())
+        page.sections.push_back(tableOfPins(bench));
+    page.sections.push_back(suggestedSection(bench, actions));
+    page.sections.push_back({Words::tr("All pins"),
+                             {},
+                             {actions[u"clear-pins"_s], actions[u"import-pins"_s], actions[u"export-pins"_s]},
+                             false});
     return page;
 }
 

@@ -146,6 +146,9 @@ ProjectTree::ProjectTree(ProjectModel* model, QWidget* parent) : QTreeView(paren
     setModel(model);
     setHeaderHidden(true);
     setFrameShape(QFrame::NoFrame);
+    setViewportMargins(0, 4, 0, 0); // the first row keeps off the dock's title
+    setBackgroundRole(QPalette::Base);
+    setAutoFillBackground(true);
     setIndentation(14);
     setUniformRowHeights(true);
     setItemDelegate(new RowDelegate(this));
