@@ -1023,6 +1023,38 @@
         <source>Paint the walls of the mold by the steel behind them, in mm.</source>
         <translation>Die Wände der Form nach dem Stahl dahinter einfärben, in mm.</translation>
     </message>
+    <message>
+        <source>Read the file &amp;again</source>
+        <translation>Datei noch einmal l&amp;esen</translation>
+    </message>
+    <message>
+        <source>Read the mesh that cannot be used once more, after it was mended in the program that made it.</source>
+        <translation>Das unbrauchbare Netz noch einmal lesen, nachdem es in seinem Programm ausgebessert wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Back to what was open</source>
+        <translation>&amp;Zurück zum Geöffneten</translation>
+    </message>
+    <message>
+        <source>Leave the mesh that cannot be used; what was open before comes back. Esc does so too.</source>
+        <translation>Das unbrauchbare Netz verlassen; was vorher offen war, kommt zurück. Esc tut das auch.</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;diagnosis</source>
+        <translation>&amp;Befund kopieren</translation>
+    </message>
+    <message>
+        <source>Put all that is wrong with the mesh on the clipboard, as text.</source>
+        <translation>Alles, was am Netz falsch ist, als Text in die Zwischenablage legen.</translation>
+    </message>
+    <message>
+        <source>Show the ne&amp;xt place</source>
+        <translation>Nä&amp;chste Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Bring the next place where the mesh cannot be used into sight.</source>
+        <translation>Die nächste Stelle ins Bild bringen, an der das Netz unbrauchbar ist.</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1342,6 +1374,10 @@
     <message>
         <source>no limit</source>
         <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>%1 regions</source>
+        <translation>%1 Regionen</translation>
     </message>
 </context>
 <context>
@@ -2375,6 +2411,10 @@
         <source>the plaque on half %1</source>
         <translation>dem Schild auf Hälfte %1</translation>
     </message>
+    <message>
+        <source>Place %1 features automatically</source>
+        <translation>%1 Elemente automatisch platzieren</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>
@@ -2483,6 +2523,18 @@
     <message>
         <source>%1 to the plane</source>
         <translation>%1 zur Ebene</translation>
+    </message>
+    <message>
+        <source>%1 pins</source>
+        <translation>%1 Heftpunkte</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1 pins</source>
+        <translation>%1 Heftpunkte verschieben</translation>
     </message>
 </context>
 <context>
@@ -2698,6 +2750,10 @@
     <message>
         <source>Step %1 in view</source>
         <translation>Schritt %1 gezeigt</translation>
+    </message>
+    <message>
+        <source>As read</source>
+        <translation>Wie gelesen</translation>
     </message>
 </context>
 <context>
@@ -4262,10 +4318,6 @@
         <translation>Rundumansicht nach %1 geschrieben.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, &lt;b&gt;Del&lt;/b&gt; removes it; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
-        <translation>&lt;b&gt;Klicken&lt;/b&gt; wählt einen Heftpunkt, &lt;b&gt;Entf&lt;/b&gt; entfernt ihn; &lt;b&gt;P&lt;/b&gt; heftet einen weiteren Punkt an. %1</translation>
-    </message>
-    <message>
         <source>Pins from a file</source>
         <translation>Heftpunkte aus einer Datei</translation>
     </message>
@@ -4436,6 +4488,14 @@
     <message>
         <source>%1 was kept as it was at %2.</source>
         <translation>%1 ist aufbewahrt, wie es um %2 war.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
+        <translation>&lt;b&gt;F3&lt;/b&gt; geht von Stelle zu Stelle, &lt;b&gt;F5&lt;/b&gt; liest die Datei noch einmal, &lt;b&gt;Esc&lt;/b&gt; kehrt zum Geöffneten zurück. %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, with &lt;b&gt;Ctrl&lt;/b&gt; several, or draw a box; &lt;b&gt;Del&lt;/b&gt; removes them; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
+        <translation>&lt;b&gt;Klick&lt;/b&gt; wählt einen Heftpunkt, mit &lt;b&gt;Strg&lt;/b&gt; mehrere, auch mit einem Rahmen; &lt;b&gt;Entf&lt;/b&gt; entfernt sie; &lt;b&gt;P&lt;/b&gt; setzt einen weiteren. %1</translation>
     </message>
 </context>
 <context>
@@ -5189,6 +5249,22 @@
     <message>
         <source>Pin %1</source>
         <translation>Heftpunkt %1</translation>
+    </message>
+    <message>
+        <source>Change regions' weights</source>
+        <translation>Gewichte von Regionenn ändern</translation>
+    </message>
+    <message>
+        <source>Change regions' limits</source>
+        <translation>Grenzen von Regionenn ändern</translation>
+    </message>
+    <message>
+        <source>Remove %1 regions</source>
+        <translation>%1 Regionen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1 pins</source>
+        <translation>%1 Heftpunkte entfernen</translation>
     </message>
 </context>
 <context>
@@ -6241,6 +6317,195 @@ Offene Punkte: %1.</translation>
     <message>
         <source>behind the walls, thinnest %1</source>
         <translation>hinter den Wänden, am dünnsten %1</translation>
+    </message>
+</context>
+<context>
+    <name>RefusalPages</name>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Crowded edges</source>
+        <translation>Überbelegte Kanten</translation>
+    </message>
+    <message>
+        <source>Touching points</source>
+        <translation>Berührpunkte</translation>
+    </message>
+    <message>
+        <source>One-sided places</source>
+        <translation>Einseitige Stellen</translation>
+    </message>
+    <message>
+        <source>Faces without area</source>
+        <translation>Flächen ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>Crossings</source>
+        <translation>Durchdringungen</translation>
+    </message>
+    <message>
+        <source>Closed surfaces inside</source>
+        <translation>Eingeschlossene Flächen</translation>
+    </message>
+    <message>
+        <source>Hole %1</source>
+        <translation>Loch %1</translation>
+    </message>
+    <message>
+        <source>Crowded edge %1</source>
+        <translation>Überbelegte Kante %1</translation>
+    </message>
+    <message>
+        <source>Touching point %1</source>
+        <translation>Berührpunkt %1</translation>
+    </message>
+    <message>
+        <source>One-sided place %1</source>
+        <translation>Einseitige Stelle %1</translation>
+    </message>
+    <message>
+        <source>Face without area %1</source>
+        <translation>Fläche ohne Inhalt %1</translation>
+    </message>
+    <message>
+        <source>Crossing %1</source>
+        <translation>Durchdringung %1</translation>
+    </message>
+    <message>
+        <source>Closed surface inside %1</source>
+        <translation>Eingeschlossene Fläche %1</translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation>%1 Kanten</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 Flächen</translation>
+    </message>
+    <message>
+        <source>No volume</source>
+        <translation>Kein Volumen</translation>
+    </message>
+    <message>
+        <source>Ways out</source>
+        <translation>Auswege</translation>
+    </message>
+    <message>
+        <source>Mend the mesh in the program that made it and write the file again; then read it again here. What was open before is as it was.</source>
+        <translation>Bessern Sie das Netz in dem Programm aus, das es gemacht hat, und schreiben Sie die Datei neu; dann lesen Sie sie hier noch einmal. Was vorher offen war, ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>X, Y, Z</source>
+        <translation>X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Lengths are those of the file.</source>
+        <translation>Längen sind die der Datei.</translation>
+    </message>
+    <message>
+        <source>Needs a sound mesh</source>
+        <translation>Braucht ein heiles Netz</translation>
+    </message>
+    <message>
+        <source>Cannot be cast yet</source>
+        <translation>Noch nicht gießbar</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>unbrauchbar</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Read, and not ready for a mold.</source>
+        <translation>Gelesen, aber nicht bereit für eine Form.</translation>
+    </message>
+    <message>
+        <source>Diagnosis</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Manifold</source>
+        <translation>Mannigfaltig</translation>
+    </message>
+    <message>
+        <source>Faces look outward</source>
+        <translation>Flächen schauen nach außen</translation>
+    </message>
+    <message>
+        <source>Pairs that cross</source>
+        <translation>Paare, die sich schneiden</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>Mended while reading</source>
+        <translation>Beim Lesen ausgebessert</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Mesh problems</source>
+        <translation>Mängel des Netzes</translation>
+    </message>
+</context>
+<context>
+    <name>ChosenFeatures</name>
+    <message>
+        <source>%1 features of the mold</source>
+        <translation>%1 Elemente der Form</translation>
+    </message>
+    <message>
+        <source>Each is placed on its own; these are given back together.</source>
+        <translation>Jedes steht für sich; gemeinsam werden sie dem Programm überlassen.</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::QuantitySpinBox</name>
+    <message>
+        <source>mixed</source>
+        <translation>gemischt</translation>
     </message>
 </context>
 </TS>

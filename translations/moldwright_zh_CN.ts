@@ -1023,6 +1023,38 @@
         <source>Paint the walls of the mold by the steel behind them, in mm.</source>
         <translation>按壁后钢料厚度（毫米）给模具型壁着色。</translation>
     </message>
+    <message>
+        <source>Read the file &amp;again</source>
+        <translation>重新读取文件(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Read the mesh that cannot be used once more, after it was mended in the program that made it.</source>
+        <translation>在原程序中修复后，重新读取无法使用的网格。</translation>
+    </message>
+    <message>
+        <source>&amp;Back to what was open</source>
+        <translation>返回之前打开的内容(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Leave the mesh that cannot be used; what was open before comes back. Esc does so too.</source>
+        <translation>离开无法使用的网格，恢复之前打开的内容。按 Esc 也可以。</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;diagnosis</source>
+        <translation>复制诊断(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Put all that is wrong with the mesh on the clipboard, as text.</source>
+        <translation>将网格的所有问题以文本形式放入剪贴板。</translation>
+    </message>
+    <message>
+        <source>Show the ne&amp;xt place</source>
+        <translation>显示下一处(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Bring the next place where the mesh cannot be used into sight.</source>
+        <translation>将网格无法使用的下一处移入视图。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1342,6 +1374,10 @@
     <message>
         <source>no limit</source>
         <translation>不限</translation>
+    </message>
+    <message>
+        <source>%1 regions</source>
+        <translation>%1 个区域</translation>
     </message>
 </context>
 <context>
@@ -2375,6 +2411,10 @@
         <source>the plaque on half %1</source>
         <translation>半模 %1 的铭牌</translation>
     </message>
+    <message>
+        <source>Place %1 features automatically</source>
+        <translation>自动放置 %1 个特征</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>
@@ -2483,6 +2523,18 @@
     <message>
         <source>%1 to the plane</source>
         <translation>到平面 %1</translation>
+    </message>
+    <message>
+        <source>%1 pins</source>
+        <translation>%1 个固定点</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动%1</translation>
+    </message>
+    <message>
+        <source>Move %1 pins</source>
+        <translation>移动 %1 个固定点</translation>
     </message>
 </context>
 <context>
@@ -2698,6 +2750,10 @@
     <message>
         <source>Step %1 in view</source>
         <translation>显示第 %1 步</translation>
+    </message>
+    <message>
+        <source>As read</source>
+        <translation>读入时的状态</translation>
     </message>
 </context>
 <context>
@@ -4062,10 +4118,6 @@
         <translation>形状静止。&lt;b&gt;空格&lt;/b&gt;继续弯曲，&lt;b&gt;Ctrl+Shift+Return&lt;/b&gt; 完成它。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, &lt;b&gt;Del&lt;/b&gt; removes it; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
-        <translation>&lt;b&gt;点击&lt;/b&gt;固定点以选中，&lt;b&gt;Del&lt;/b&gt; 移除；&lt;b&gt;P&lt;/b&gt; 固定另一个点。%1</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;X&lt;/b&gt; opens and closes the mold. %1</source>
         <translation>&lt;b&gt;X&lt;/b&gt; 打开和合上模具。%1</translation>
     </message>
@@ -4436,6 +4488,14 @@
     <message>
         <source>%1 was kept as it was at %2.</source>
         <translation>%1 已按 %2 时的状态保留。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
+        <translation>&lt;b&gt;F3&lt;/b&gt; 逐处查看，&lt;b&gt;F5&lt;/b&gt; 重新读取文件，&lt;b&gt;Esc&lt;/b&gt; 返回之前打开的内容。%1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, with &lt;b&gt;Ctrl&lt;/b&gt; several, or draw a box; &lt;b&gt;Del&lt;/b&gt; removes them; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
+        <translation>&lt;b&gt;单击&lt;/b&gt;选择固定点，按住 &lt;b&gt;Ctrl&lt;/b&gt; 可选多个，也可框选；&lt;b&gt;Del&lt;/b&gt; 删除；&lt;b&gt;P&lt;/b&gt; 再钉一点。%1</translation>
     </message>
 </context>
 <context>
@@ -5189,6 +5249,22 @@
     <message>
         <source>Pin %1</source>
         <translation>固定点 %1</translation>
+    </message>
+    <message>
+        <source>Change regions' weights</source>
+        <translation>更改多个区域的权重</translation>
+    </message>
+    <message>
+        <source>Change regions' limits</source>
+        <translation>更改多个区域的限值</translation>
+    </message>
+    <message>
+        <source>Remove %1 regions</source>
+        <translation>移除 %1 个区域</translation>
+    </message>
+    <message>
+        <source>Remove %1 pins</source>
+        <translation>移除 %1 个固定点</translation>
     </message>
 </context>
 <context>
@@ -6241,6 +6317,195 @@ Open items: %1.</source>
     <message>
         <source>behind the walls, thinnest %1</source>
         <translation>型壁之后，最薄 %1</translation>
+    </message>
+</context>
+<context>
+    <name>RefusalPages</name>
+    <message>
+        <source>Holes</source>
+        <translation>孔洞</translation>
+    </message>
+    <message>
+        <source>Crowded edges</source>
+        <translation>多面共边</translation>
+    </message>
+    <message>
+        <source>Touching points</source>
+        <translation>接触点</translation>
+    </message>
+    <message>
+        <source>One-sided places</source>
+        <translation>单侧处</translation>
+    </message>
+    <message>
+        <source>Faces without area</source>
+        <translation>零面积面</translation>
+    </message>
+    <message>
+        <source>Crossings</source>
+        <translation>自相交处</translation>
+    </message>
+    <message>
+        <source>Closed surfaces inside</source>
+        <translation>内部封闭曲面</translation>
+    </message>
+    <message>
+        <source>Hole %1</source>
+        <translation>孔洞 %1</translation>
+    </message>
+    <message>
+        <source>Crowded edge %1</source>
+        <translation>多面共边 %1</translation>
+    </message>
+    <message>
+        <source>Touching point %1</source>
+        <translation>接触点 %1</translation>
+    </message>
+    <message>
+        <source>One-sided place %1</source>
+        <translation>单侧处 %1</translation>
+    </message>
+    <message>
+        <source>Face without area %1</source>
+        <translation>零面积面 %1</translation>
+    </message>
+    <message>
+        <source>Crossing %1</source>
+        <translation>自相交 %1</translation>
+    </message>
+    <message>
+        <source>Closed surface inside %1</source>
+        <translation>内部封闭曲面 %1</translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation>%1 条边</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 个面</translation>
+    </message>
+    <message>
+        <source>No volume</source>
+        <translation>无体积</translation>
+    </message>
+    <message>
+        <source>Ways out</source>
+        <translation>解决办法</translation>
+    </message>
+    <message>
+        <source>Mend the mesh in the program that made it and write the file again; then read it again here. What was open before is as it was.</source>
+        <translation>在生成该网格的程序中修复并重新写出文件，然后在此重新读取。之前打开的内容保持不变。</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>X, Y, Z</source>
+        <translation>X, Y, Z</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边</translation>
+    </message>
+    <message>
+        <source>Lengths are those of the file.</source>
+        <translation>长度采用文件中的数值。</translation>
+    </message>
+    <message>
+        <source>Needs a sound mesh</source>
+        <translation>需要完好的网格</translation>
+    </message>
+    <message>
+        <source>Cannot be cast yet</source>
+        <translation>尚不能铸造</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>无法使用</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>曲面</translation>
+    </message>
+    <message>
+        <source>Read, and not ready for a mold.</source>
+        <translation>已读取，但还不能用于制模。</translation>
+    </message>
+    <message>
+        <source>Diagnosis</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>封闭</translation>
+    </message>
+    <message>
+        <source>Manifold</source>
+        <translation>流形</translation>
+    </message>
+    <message>
+        <source>Faces look outward</source>
+        <translation>面朝外</translation>
+    </message>
+    <message>
+        <source>Pairs that cross</source>
+        <translation>相交面对</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>部分数</translation>
+    </message>
+    <message>
+        <source>Mended while reading</source>
+        <translation>读取时已修复</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Mesh problems</source>
+        <translation>网格问题</translation>
+    </message>
+</context>
+<context>
+    <name>ChosenFeatures</name>
+    <message>
+        <source>%1 features of the mold</source>
+        <translation>%1 个模具特征</translation>
+    </message>
+    <message>
+        <source>Each is placed on its own; these are given back together.</source>
+        <translation>每个单独放置；可一起交还给程序。</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>已选</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::QuantitySpinBox</name>
+    <message>
+        <source>mixed</source>
+        <translation>不一</translation>
     </message>
 </context>
 </TS>

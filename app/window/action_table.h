@@ -17,6 +17,10 @@ enum class Needs {
     Nothing,
     Idle,
     Part,
+    InView,     ///< a part, or a mesh that was refused
+    IdleInView, ///< the same, and idle
+    Refused,    ///< a mesh is
+    FaultPlace, ///< the same, and there is a place to be shown
     IdlePart,
     Plane,
     IdlePlane,
@@ -55,7 +59,6 @@ enum class Needs {
 /// the preferences' list of keys are all made from this table.
 struct ActionSpec {
     const char* id;
-    const char* menu; ///< English title of its menu; a '/' parts a submenu
     const char* text; ///< English, with the mnemonic
     const char* icon; ///< name, or empty
     const char* shortcut;
@@ -63,6 +66,7 @@ struct ActionSpec {
     Needs needs = Needs::Nothing;
     bool checkable = false;
     bool separatorBefore = false;
+    const char* menu = ""; ///< English title of its menu; the menu it stands in gives it
 };
 
 /// All commands in the order of the menus.

@@ -12,7 +12,8 @@ struct Advice {
     Standing standing = Standing::Info;
     QString headline;
     QString text;
-    QString action; ///< id of the command, or empty
+    QString action;           ///< id of the command, or empty
+    QString otherAction = {}; ///< of a second one
 };
 
 } // namespace moldwright

@@ -4,6 +4,7 @@
 #include "mesh/measures.h"
 #include "theme/theme.h"
 #include "window/action_table.h"
+#include "window/common_value.h"
 #include "window/presentation.h"
 #include "window/row_id.h"
 #include "window/workbench.h"
@@ -123,14 +124,25 @@ void fillAll(PropertyPanel& panel, const Workbench& bench) {
     panel.setMissesGoal(u"region-kept"_s, kept < asked);
 }
 
+/// What holds of one region, and of several together.
+void fillTogether(PropertyPanel& panel, const Workbench& bench, const std::vector<int>& numbers) {
+    std::size_t faces = 0;
+    double area = 0;
+    for (const int number : numbers) {
+        faces += regionAt(bench, number).faces.size();
+        area += areaOf(regionAt(bench, number), *bench.project().part);
+    }
+    panel.setValue(u"region-weight"_s,
+                   common(numbers, [&](int number) { return heaviest(regionAt(bench, number)); }));
+    panel.setValue(u"region-limit"_s,
+                   common(numbers, [&](int number) { return regionAt(bench, number).keepWithin; }));
+    panel.setValue(u"region-faces"_s, QStringList{QString::number(faces), {}});
+    panel.setValue(u"region-area"_s, QStringList{u"%1 cm²"_s.arg(area / 100, 0, 'f', 2), {}});
+}
+
 void fillOne(PropertyPanel& panel, const Workbench& bench, int number) {
     const ImportantRegion& region = regionAt(bench, number);
     const RegionMeasure* measure = shownMeasure(bench, number);
-    panel.setValue(u"region-weight"_s, heaviest(region));
-    panel.setValue(u"region-limit"_s, region.keepWithin);
-    panel.setValue(u"region-faces"_s, QStringList{QString::number(region.faces.size()), {}});
-    panel.setValue(u"region-area"_s,
-                   QStringList{u"%1 cm²"_s.arg(areaOf(region, *bench.project().part) / 100, 0, 'f', 2), {}});
     panel.setValue(u"region-moved"_s,
                    QStringList{measure ? millimetreText(measure->maxDistance) : u"–"_s,
                                region.keepWithin > 0 ? u"≤ "_s + millimetreText(region.keepWithin)
@@ -154,8 +166,12 @@ QString allRegionsId() {
     return u"importance"_s;
 }
 
+std::vector<int> regionNumbers(const QString& selected) {
+    return numbersAfter(u"region-"_s, selected);
+}
+
 bool regionsChosen(const QString& selected) {
-    return selected == allRegionsId() || regionNumber(selected) >= 0;
+    return selected == allRegionsId() || !regionNumbers(selected).empty();
 }
 
 void addRegionRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Visibility& visible) {
@@ -178,11 +194,14 @@ void addRegionRows(std::vector<ProjectRow>& rows, const Workbench& bench, const 
                         .renamable = true});
 }
 
-PropertyPage regionPage(int number, const Workbench& bench, const Actions& actions) {
-    if (!isRegion(bench, number))
+PropertyPage regionPage(const QString& selected, const Workbench& bench, const Actions& actions) {
+    const std::vector<int> numbers = regionNumbers(selected);
+    if (numbers.empty() || !isRegion(bench, numbers.back()))
         return allPage(bench, actions);
-    PropertyPage page{
-        regionId(number), u"region"_s, nameOf(regionAt(bench, number)), Words::tr("Importance"), {}};
+    const bool several = numbers.size() > 1;
+    const QString title =
+        several ? Words::tr("%1 regions").arg(numbers.size()) : nameOf(regionAt(bench, numbers.front()));
+    PropertyPage page{selected, u"region"_s, title, Words::tr("Importance"), {}};
     page.layout = page.title + u' ' + QString::number(bench.largestBrush());
     PropertySection weight{
         Words::tr("Region"),
@@ -196,6 +215,10 @@ PropertyPage regionPage(int number, const Workbench& bench, const Actions& actio
          reading(u"region-faces"_s, Words::tr("Faces")), reading(u"region-area"_s, Words::tr("Area"))},
         {actions[u"remove-guide"_s]},
         false};
+    if (several) {
+        page.sections = {std::move(weight)};
+        return page;
+    }
     PropertySection measured{
         Words::tr("Measured in the cast"),
         {reading(u"region-moved"_s, Words::tr("Largest change"),
@@ -213,24 +236,29 @@ void fillRegionPage(PropertyPanel& panel, const Workbench& bench) {
         return;
     panel.setValue(u"brush-radius"_s, bench.brushRadius());
     panel.setValue(u"crease"_s, bench.creaseDegrees());
-    if (const int number = regionNumber(panel.pageId()); isRegion(bench, number))
-        fillOne(panel, bench, number);
-    else
-        fillAll(panel, bench);
+    const std::vector<int> numbers = regionNumbers(panel.pageId());
+    if (numbers.empty())
+        return fillAll(panel, bench);
+    if (!isRegion(bench, numbers.back()))
+        return;
+    fillTogether(panel, bench, numbers);
+    if (numbers.size() == 1)
+        fillOne(panel, bench, numbers.front());
 }
 
 bool applyRegionValue(Workbench& bench, const QString& id, const QString& page, double value, bool preview) {
     if (!regionsChosen(page))
         return false;
-    const int number = regionNumber(page);
+    const std::vector<int> numbers = regionNumbers(page);
+    const bool known = !numbers.empty() && isRegion(bench, numbers.back());
     if (id == u"brush-radius"_s)
         bench.setBrushRadius(value);
     else if (id == u"crease"_s)
         bench.setCreaseDegrees(value);
-    else if (id == u"region-weight"_s && isRegion(bench, number))
-        bench.weighRegion(number, value, preview);
-    else if (id == u"region-limit"_s && isRegion(bench, number))
-        bench.limitRegion(number, value, preview);
+    else if (id == u"region-weight"_s && known)
+        bench.weighRegions(numbers, value, preview);
+    else if (id == u"region-limit"_s && known)
+        bench.limitRegions(numbers, value, preview);
     else
         return false;
     return true;

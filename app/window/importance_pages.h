@@ -17,6 +17,8 @@ struct Visibility;
 /// The id of a region in tree and panel, and its number; −1 for the id of anything else.
 [[nodiscard]] QString regionId(int number);
 [[nodiscard]] int regionNumber(const QString& id);
+/// Those of the regions among what is chosen, ascending.
+[[nodiscard]] std::vector<int> regionNumbers(const QString& selected);
 /// The id of all regions together.
 [[nodiscard]] QString allRegionsId();
 /// Whether all regions or one of them is selected.
@@ -25,8 +27,9 @@ struct Visibility;
 /// Adds the regions to the tree's rows; one that missed its limit is told in red.
 void addRegionRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Visibility& visible);
 
-/// The page of one region, or of importance as a whole for any other number.
-[[nodiscard]] PropertyPage regionPage(int number, const Workbench& bench, const Actions& actions);
+/// The page of the regions chosen, or of importance as a whole where none is.
+[[nodiscard]] PropertyPage regionPage(const QString& selected, const Workbench& bench,
+                                      const Actions& actions);
 void fillRegionPage(PropertyPanel& panel, const Workbench& bench);
 /// Takes a value of the page shown (pageId); false for the id of anything else.
 bool applyRegionValue(Workbench& bench, const QString& id, const QString& page, double value, bool preview);

@@ -129,7 +129,7 @@ std::vector<scene::Chip> regionChips(const Workbench& bench, const ShownSurface&
         const ImportantRegion& region = regions[static_cast<std::size_t>(i)];
         if (region.faces.empty() || !visible.shows(regionId(i)))
             continue;
-        const bool chosen = selected == regionId(i);
+        const bool chosen = std::ranges::binary_search(regionNumbers(selected), i);
         const int middle = middleFace(region, part);
         const int shown = origins ? origins->faceFrom(middle) : middle;
         if (shown < 0)

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "window/frame_stream.h"
-#include "window/latest.h"
-#include "window/work_thread.h"
+#include "window/newest_job.h"
 
 #include <QObject>
 
@@ -15,24 +14,22 @@ class LiveFrames : public QObject {
     Q_OBJECT
 public:
     explicit LiveFrames(QObject* parent = nullptr);
-    ~LiveFrames() override;
 
     /// `number` tells the answer apart from those to earlier requests.
-    void ask(int number, const DesignFrame& frame, bool withPicker);
+    void ask(int number, const DesignFrame& frame, bool withPicker) {
+        m_job.ask({number, frame, withPicker});
+    }
 
 Q_SIGNALS:
     void answered(int number, const moldwright::ShownFrame& frame);
 
 private:
-    void work();
-
     struct Request {
         int number;
         DesignFrame frame;
         bool withPicker;
     };
-    Latest<Request> m_waiting;
-    WorkThread m_thread;
+    NewestJob<Request> m_job;
 };
 
 } // namespace moldwright

@@ -3,11 +3,14 @@
 
 namespace moldwright {
 
-LiveOrigins::LiveOrigins(QObject* parent) : QObject(parent), m_thread(QStringLiteral("origins")) {}
-
-LiveOrigins::~LiveOrigins() {
-    (void)m_waiting.take();
-}
+LiveOrigins::LiveOrigins(QObject* parent)
+    : QObject(parent), m_job(QStringLiteral("origins"), [this](const OriginsRequest& request) {
+          auto made = std::make_shared<const FaceOrigins>(request.part, request.shape, request.before);
+          QMetaObject::invokeMethod(this, [this, made = std::move(made)] {
+              m_newest = made;
+              Q_EMIT answered();
+          });
+      }) {}
 
 std::shared_ptr<const FaceOrigins> LiveOrigins::of(const OriginsRequest& request) {
     // Frames of one run differ by where their points are: their origins are the same.
@@ -15,21 +18,9 @@ std::shared_ptr<const FaceOrigins> LiveOrigins::of(const OriginsRequest& request
         return m_newest;
     if (request.shape != m_asked) {
         m_asked = request.shape;
-        m_waiting.put(request);
-        m_thread.post([this] { work(); });
+        m_job.ask(request);
     }
     return nullptr;
-}
-
-void LiveOrigins::work() {
-    const std::optional<OriginsRequest> request = m_waiting.take();
-    if (!request)
-        return; // a newer one took the place of the one that woke this
-    auto made = std::make_shared<const FaceOrigins>(request->part, request->shape, request->before);
-    QMetaObject::invokeMethod(this, [this, made = std::move(made)] {
-        m_newest = made;
-        Q_EMIT answered();
-    });
 }
 
 } // namespace moldwright

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "design/face_origins.h"
-#include "window/latest.h"
-#include "window/work_thread.h"
+#include "window/newest_job.h"
 
 #include <QObject>
 
@@ -24,7 +23,6 @@ class LiveOrigins : public QObject {
     Q_OBJECT
 public:
     explicit LiveOrigins(QObject* parent = nullptr);
-    ~LiveOrigins() override;
 
     /// Those of a shape; null while they are being made, for which this asks.
     [[nodiscard]] std::shared_ptr<const FaceOrigins> of(const OriginsRequest& request);
@@ -33,12 +31,9 @@ Q_SIGNALS:
     void answered();
 
 private:
-    void work();
-
-    Latest<OriginsRequest> m_waiting;
     SharedMesh m_asked; ///< the shape of the last request
     std::shared_ptr<const FaceOrigins> m_newest;
-    WorkThread m_thread;
+    NewestJob<OriginsRequest> m_job;
 };
 
 } // namespace moldwright

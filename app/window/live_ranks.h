@@ -4,8 +4,7 @@
 #include "castability/mold_state.h"
 #include "mesh/indexed_mesh.h"
 #include "pins/suggested_pins.h"
-#include "window/latest.h"
-#include "window/work_thread.h"
+#include "window/newest_job.h"
 
 #include <QObject>
 
@@ -28,9 +27,8 @@ class LiveRanks : public QObject {
     Q_OBJECT
 public:
     explicit LiveRanks(QObject* parent = nullptr);
-    ~LiveRanks() override;
 
-    void ask(const RankRequest& request);
+    void ask(const RankRequest& request) { m_job.ask(request); }
 
 Q_SIGNALS:
     /// The pins of `request` with the ranks they have there.
@@ -38,10 +36,7 @@ Q_SIGNALS:
                   const std::shared_ptr<const moldwright::PinSuggestions>& ranked);
 
 private:
-    void work();
-
-    Latest<RankRequest> m_waiting;
-    WorkThread m_thread;
+    NewestJob<RankRequest> m_job;
 };
 
 } // namespace moldwright

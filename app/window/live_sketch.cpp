@@ -3,24 +3,11 @@
 
 namespace moldwright {
 
-LiveSketch::LiveSketch(QObject* parent) : QObject(parent), m_thread(QStringLiteral("sketch")) {}
-
-LiveSketch::~LiveSketch() {
-    (void)m_waiting.take();
-}
-
-void LiveSketch::ask(const SketchRequest& request) {
-    m_waiting.put(request);
-    m_thread.post([this] { work(); });
-}
-
-void LiveSketch::work() {
-    const std::optional<SketchRequest> request = m_waiting.take();
-    if (!request)
-        return; // a newer one took the place of the one that woke this
-    const auto answer = std::make_shared<const SketchAnswer>(*request, sketch(*request));
-    QMetaObject::invokeMethod(this, [this, answer] { Q_EMIT answered(answer); });
-}
+LiveSketch::LiveSketch(QObject* parent)
+    : QObject(parent), m_job(QStringLiteral("sketch"), [this](const SketchRequest& request) {
+          const auto answer = std::make_shared<const SketchAnswer>(request, sketch(request));
+          QMetaObject::invokeMethod(this, [this, answer] { Q_EMIT answered(answer); });
+      }) {}
 
 Result<MoldSketch> LiveSketch::sketch(const SketchRequest& request) {
     if (request.cast != m_cast || !m_sketcher || !m_sketcher->serves(request.settings)) {

@@ -3,8 +3,7 @@
 
 #include "mold/mold_sketch.h"
 #include "project/project.h"
-#include "window/latest.h"
-#include "window/work_thread.h"
+#include "window/newest_job.h"
 
 #include <QObject>
 
@@ -32,21 +31,18 @@ class LiveSketch : public QObject {
     Q_OBJECT
 public:
     explicit LiveSketch(QObject* parent = nullptr);
-    ~LiveSketch() override;
 
-    void ask(const SketchRequest& request);
+    void ask(const SketchRequest& request) { m_job.ask(request); }
 
 Q_SIGNALS:
     void answered(const std::shared_ptr<const moldwright::SketchAnswer>& answer);
 
 private:
-    void work();
     [[nodiscard]] Result<MoldSketch> sketch(const SketchRequest& request);
 
-    Latest<SketchRequest> m_waiting;
     std::shared_ptr<const CastResult> m_cast; ///< of m_sketcher
     std::optional<MoldSketcher> m_sketcher;
-    WorkThread m_thread;
+    NewestJob<SketchRequest> m_job;
 };
 
 } // namespace moldwright

@@ -15,6 +15,7 @@
 #include "project/variants.h"
 #include "theme/theme.h"
 #include "view/part_view.h"
+#include "window/chosen_features.h"
 #include "window/importance_pages.h"
 #include "window/measure_tool.h"
 #include "window/mold_feature_pages.h"
@@ -25,7 +26,10 @@
 #include "window/preferences.h"
 #include "window/property_pages.h"
 #include "window/recovery.h"
+#include "window/refusal_pages.h"
+#include "window/refused_mesh.h"
 #include "window/row_places.h"
+#include "window/selection.h"
 #include "window/tour.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
@@ -54,12 +58,19 @@ Step stepOf(const QString& id) {
            : pinsChosen(id) || regionsChosen(id)                                             ? Step::Guides
            : id == u"deform"_s || obstructionNumber(id) >= 0 || id.startsWith(u"undercut"_s) ? Step::Deform
            : id == u"cast"_s                                                                 ? Step::Check
-           : id == u"mold"_s || id.startsWith(u"half"_s) || featureOf(id)                    ? Step::Mold
+           : id == u"mold"_s || id.startsWith(u"half"_s) || id.startsWith(u"feature-"_s)     ? Step::Mold
                                                                                              : Step::Part;
 }
 
 /// What is selected, or where it was in the tree when it is gone.
 QString stillThere(const QString& selected, const Workbench& bench) {
+    if (const RefusedMesh* refused = bench.refused())
+        return faultNumber(selected) < listedFaults(*refused) ? selected : refusedId();
+    if (severalChosen(selected)) {
+        QStringList left = chosenIds(selected);
+        left.removeIf([&](const QString& id) { return stillThere(id, bench) != id; });
+        return left.isEmpty() ? stillThere(chosenIds(selected).back(), bench) : left.join(u' ');
+    }
     const auto isGone = [](int number, std::size_t count) { return number >= static_cast<int>(count); };
     if (isGone(obstructionNumber(selected), bench.obstructions().size()) ||
         isGone(undercutNumber(selected), bench.undercuts().size()))
@@ -131,7 +142,7 @@ void MainWindow::applyTheme() {
 }
 
 void MainWindow::refresh() {
-    const bool open = m_bench.project().part != nullptr;
+    const bool open = m_bench.project().part || m_bench.refused();
     m_centre->setCurrentIndex(open ? 1 : 0);
     for (Dock* dock : m_docks)
         dock->setVisible(open && dock->toggleViewAction()->property("wanted").toBool());
@@ -143,7 +154,7 @@ void MainWindow::refresh() {
         dock->setTitleShown(dock->isFloating() || tabifiedDockWidgets(dock).isEmpty());
     if (!open)
         showStart();
-    m_workflow->setStepsEnabled(open);
+    m_workflow->setStepsEnabled(open && !m_bench.refused());
     const Verdict verdict = verdictOf(m_bench);
     m_workflow->verdict()->setVerdict(verdict.standing, verdict.sentence, verdict.reason);
     const auto states = stepStates(m_bench);
@@ -153,7 +164,7 @@ void MainWindow::refresh() {
     select(stillThere(m_selected, m_bench));
     m_bench.placing().setWanted(stepOf(m_selected) == Step::Mold);
     m_paint->setRegion(regionNumber(m_selected));
-    m_tree->select(m_selected);
+    m_tree->select(chosenIds(m_selected));
     m_plots->setRequiredDraft(m_bench.project().design.draftDegrees);
     if (m_bench.progress().size() < m_plots->points().size())
         m_plots->clear();
@@ -193,7 +204,7 @@ void MainWindow::refreshHistory() {
 std::set<Needs> MainWindow::given() const {
     const Project& project = m_bench.project();
     const bool idle = !m_bench.background().busy();
-    const bool part = project.part != nullptr;
+    const bool part = project.part && !m_bench.refused();
     const bool plane = part && m_bench.shownState().has_value();
     const bool editable = m_bench.editable();
     const History& history = m_bench.document().history();
@@ -205,6 +216,10 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::Idle, idle);
     add(Needs::Part, part);
     add(Needs::IdlePart, part && idle);
+    add(Needs::InView, part || m_bench.refused());
+    add(Needs::IdleInView, idle && (part || m_bench.refused()));
+    add(Needs::Refused, idle && m_bench.refused());
+    add(Needs::FaultPlace, m_bench.refused() && listedFaults(*m_bench.refused()) > 0);
     add(Needs::Plane, plane);
     add(Needs::IdlePlane, plane && idle);
     add(Needs::EditablePart, part && editable);
@@ -216,7 +231,7 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::Pins, editable && !project.pins.empty());
     const bool variant = idle && variantNumber(m_selected) >= 0;
     add(Needs::ChosenGuide,
-        variant || (editable && (pinNumber(m_selected) >= 0 || regionNumber(m_selected) >= 0)));
+        variant || (editable && !(pinNumbers(m_selected).empty() && regionNumbers(m_selected).empty())));
     add(Needs::Comparable, !project.others.empty());
     add(Needs::Variants, idle && !project.others.empty());
     add(Needs::OtherVariant, variant && variantNumber(m_selected) != static_cast<int>(project.place));
@@ -226,9 +241,10 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::ProvedCast, idle && m_bench.castIsProved());
     add(Needs::MoldBuilt, idle && m_bench.moldIsCurrent());
     add(Needs::AnyByHand, idle && !project.mold.placed.empty());
-    const auto feature = featureOf(m_selected);
     add(Needs::ChosenByHand,
-        idle && feature && placeByHand(project.mold.placed, feature->kind, feature->number));
+        idle && std::ranges::any_of(featuresOf(m_selected), [&](const FeatureName& feature) {
+            return placeByHand(project.mold.placed, feature.kind, feature.number).has_value();
+        }));
     add(Needs::Running, m_bench.running());
     add(Needs::Bending, m_bench.bending());
     const int frame = m_bench.frameInView();
@@ -239,7 +255,8 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::Measured, !m_measure->measurement().empty());
     const ProjectRow* row = rowOf(rowMeant());
     add(Needs::Renamable, idle && row && row->renamable);
-    add(Needs::Hideable, row && row->visible);
+    const ProjectRow* last = rowOf(chosenIds(rowMeant()).back());
+    add(Needs::Hideable, last && last->visible);
     add(Needs::LostWork, idle && !m_recovery.found().empty() && m_recovery.found().front().project);
     add(Needs::Undo, editable && history.canUndo());
     add(Needs::Redo, editable && history.canRedo());
@@ -262,6 +279,10 @@ void MainWindow::refreshActions() {
 
 void MainWindow::refreshTitle() {
     const Project& project = m_bench.project();
+    if (m_bench.refused()) {
+        setWindowTitle(tr("%1 · Moldwright").arg(m_bench.refused()->name));
+        return;
+    }
     if (!project.part) {
         setWindowTitle(tr("Moldwright"));
         return;
@@ -275,7 +296,11 @@ void MainWindow::refreshHint() {
     if (m_turntable)
         return; // it tells how far it is
     const QString keys = tr("<b>?</b> shows all keys.");
-    if (!m_bench.project().part)
+    if (m_bench.refused())
+        m_hint->setText(tr("<b>F3</b> goes from place to place, <b>F5</b> reads the file again, <b>Esc</b> "
+                           "goes back to what was open. %1")
+                            .arg(keys));
+    else if (!m_bench.project().part)
         m_hint->setText(tr("Open a part, drop one here, or choose a sample. %1").arg(keys));
     else if (m_tool != Tool::None)
         m_hint->setText(toolHint());
@@ -287,8 +312,8 @@ void MainWindow::refreshHint() {
                            "it, <b>Ctrl+.</b> stops "
                            "it."));
     else if (pinsChosen(m_selected))
-        m_hint->setText(tr("<b>Click</b> a pin to choose it, <b>Del</b> removes it; <b>P</b> pins another "
-                           "point. %1")
+        m_hint->setText(tr("<b>Click</b> a pin to choose it, with <b>Ctrl</b> several, or draw a box; "
+                           "<b>Del</b> removes them; <b>P</b> pins another point. %1")
                             .arg(keys));
     else if (regionsChosen(m_selected))
         m_hint->setText(
@@ -312,7 +337,7 @@ void MainWindow::refreshHint() {
 }
 
 void MainWindow::refreshProperties(bool evenIfSame) {
-    if (!m_bench.project().part)
+    if (!m_bench.project().part && !m_bench.refused())
         return;
     m_properties->showPage(propertyPage(m_selected, m_bench, m_actions), evenIfSame);
     fillPage(*m_properties, m_bench);
@@ -324,15 +349,17 @@ void MainWindow::select(const QString& id) {
     if (id == m_selected)
         return;
     m_selected = id;
-    m_tree->select(id);
-    if (obstructionNumber(id) >= 0 || undercutNumber(id) >= 0)
+    m_tree->select(chosenIds(id));
+    if (obstructionNumber(id) >= 0 || undercutNumber(id) >= 0 || faultNumber(id) >= 0)
         fitSelection();
     m_workflow->setCurrentStep(static_cast<int>(stepOf(id)));
     refreshSoon();
 }
 
 void MainWindow::fitSelection() {
-    const Eigen::AlignedBox3d place = placeOfRow(m_selected, m_bench);
+    Eigen::AlignedBox3d place;
+    for (const QString& id : chosenIds(m_selected))
+        place.extend(placeOfRow(id, m_bench));
     place.isEmpty() ? m_view->fitAll() : m_view->frame(place);
 }
 

@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -124,7 +125,6 @@ private:
     void startTour();
     void useNavigation(const QString& id);
     void showAbout();
-    void showProblem(const QString& headline, const QString& text);
     void walkZones(int way);
     void useThemeChoice(ThemeChoice choice);
     void escape();
@@ -198,6 +198,13 @@ private:
     void showPlace(const Eigen::AlignedBox3d& place);
     void useLook();
 
+    // main_window_refusal.cpp
+    void connectRefusal();
+    void enterRefusal();
+    void leaveRefusal();
+    void showNextFault();
+    void showRefused(ViewPane& pane);
+
     // main_window_files.cpp
     void chooseFileToOpen();
     void chooseFileToExport();
@@ -231,6 +238,10 @@ private:
     void refreshHint();
     void refreshProperties(bool evenIfSame = false);
     void select(const QString& id);
+    /// Clicked or boxed rows go into what is chosen.
+    void choose(const QStringList& ids, Qt::KeyboardModifiers keys);
+    void serveBoxes(ViewPane& pane);
+    void removeChosen();
     void fitSelection();
     void chooseStep(int step);
     void applyTheme();
@@ -284,7 +295,13 @@ private:
     QList<class Dock*> m_docks;
     QByteArray m_firstLayout;
     bool m_docksPlaced = false;
-    QString m_remedy;        ///< the command that the banner offers
+    QStringList m_remedies; ///< the commands that the banner offers
+    /// What is to come back once a mesh that cannot be used is left.
+    struct BeforeRefusal {
+        QString selected;
+        std::map<ViewPane*, scene::Camera> cameras;
+    };
+    std::optional<BeforeRefusal> m_beforeRefusal;
     bool m_mayClose = false; ///< what was to be asked before closing has been asked
     QLabel* m_savedLabel = nullptr;
 };

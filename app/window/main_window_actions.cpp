@@ -70,13 +70,19 @@ void MainWindow::connectActions() {
     connectVariantActions();
     connectDesignActions();
     connectWindowActions();
+    connectRefusal();
     // The actions' own keys work wherever the focus is in the window, in menus or not.
     addActions(QList<QAction*>(m_actions.all().begin(), m_actions.all().end()));
 }
 
 void MainWindow::connectFileActions() {
     m_actions.on(u"open"_s, [this] { chooseFileToOpen(); });
-    m_actions.on(u"start-page"_s, [this] { leaving([this] { m_bench.closePart(); }); });
+    m_actions.on(u"start-page"_s, [this] {
+        if (m_bench.refused())
+            m_bench.leaveRefused();
+        else
+            leaving([this] { m_bench.closePart(); });
+    });
     m_actions.on(u"save"_s, [this] { save(); });
     m_actions.on(u"save-as"_s, [this] { saveAs(); });
     m_actions.on(u"export-cast"_s, [this] { chooseFileToExport(); });
@@ -189,6 +195,7 @@ void MainWindow::connectBench() {
     connect(&m_bench, &Workbench::changed, this, &MainWindow::refreshSoon);
     connect(&m_bench, &Workbench::partOpened, this, [this] {
         m_banner->hide();
+        m_beforeRefusal.reset();
         select(u"part"_s);
         for (const ViewPane* pane : m_views->made())
             pane->view().scene().setSurface(nullptr, {});
@@ -199,15 +206,12 @@ void MainWindow::connectBench() {
     });
     connect(&m_bench, &Workbench::unitAsked, this, &MainWindow::askUnit);
     connect(&m_bench, &Workbench::problem, this, [this](const QString& headline, const QString& text) {
-        if (m_bench.project().part)
-            m_banner->showMessage(Standing::Failing, headline, text);
-        else
-            showProblem(headline, text);
+        m_banner->showMessage(Standing::Failing, headline, text);
     });
     connect(&m_bench, &Workbench::advised, this, &MainWindow::advise);
-    connect(m_banner, &Banner::actionChosen, this, [this] {
-        m_banner->hide();
-        m_actions[m_remedy]->trigger();
+    connect(m_banner, &Banner::actionChosen, this, [this](int action) {
+        m_banner->setVisible(m_bench.refused()); // it stays as long as what it tells of
+        m_actions[m_remedies.at(action)]->trigger();
     });
     connect(&m_bench, &Workbench::obstructed, this, [this] { select(obstructionId(0)); });
     connect(&m_bench, &Workbench::planesFound, this, [this] { select(u"plane"_s); });
@@ -232,9 +236,14 @@ void MainWindow::connectBench() {
 }
 
 void MainWindow::advise(const Advice& advice) {
-    m_remedy = advice.action;
-    m_banner->showMessage(advice.standing, advice.headline, advice.text,
-                          m_remedy.isEmpty() ? QString() : plainText(m_actions[m_remedy]->text()));
+    m_remedies.clear();
+    QStringList words;
+    for (const QString& action : {advice.action, advice.otherAction})
+        if (!action.isEmpty()) {
+            m_remedies << action;
+            words << plainText(m_actions[action]->text());
+        }
+    m_banner->showMessage(advice.standing, advice.headline, advice.text, words);
 }
 
 void MainWindow::connectPanels() {
@@ -312,16 +321,6 @@ void MainWindow::showAbout() {
     box.exec();
 }
 
-void MainWindow::showProblem(const QString& headline, const QString& text) {
-    QMessageBox box(this);
-    box.setWindowTitle(tr("Moldwright"));
-    box.setIconPixmap(standingIcon(Standing::Failing).pixmap(32, 32));
-    box.setText(u"<b>%1</b>"_s.arg(headline.toHtmlEscaped()));
-    box.setInformativeText(text);
-    box.addButton(tr("Close"), QMessageBox::RejectRole);
-    box.exec();
-}
-
 void MainWindow::walkZones(int way) {
     QList<QWidget*> zones = {m_workflow->step(0), m_tree};
     for (const ViewPane* pane : m_views->shown())
@@ -363,7 +362,9 @@ void MainWindow::escape() {
     for (const ViewPane* pane : m_views->shown())
         if (pane->view().cancelDrag())
             return;
-    if (m_tool == Tool::None && m_tour)
+    if (m_bench.refused())
+        m_bench.leaveRefused();
+    else if (m_tool == Tool::None && m_tour)
         Q_EMIT m_tour->ended();
     else if (m_tool == Tool::None)
         endComparison();

@@ -3,11 +3,11 @@
 #include "window/main_window.h"
 
 #include "view/part_view.h"
+#include "window/chosen_features.h"
 #include "window/face_paint.h"
 #include "window/importance_pages.h"
 #include "window/importance_paint.h"
 #include "window/measure_tool.h"
-#include "window/mold_feature_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/undercut_pages.h"
@@ -35,7 +35,7 @@ std::vector<scene::Chip> MainWindow::directionChips(const ViewPane& pane) const 
     const scene::Scene& scene = pane.view().scene();
     std::vector<scene::Chip> chips;
     if (const auto state = m_bench.stateIn(pane.settings().content);
-        state && m_visible.directions && !m_modeBefore)
+        state && m_visible.directions && !m_modeBefore && !planShown()) // there they would cover the cast
         for (const int side : {1, 2})
             chips.push_back(
                 {scene.arrowTip(side),
@@ -62,7 +62,7 @@ std::vector<scene::Chip> MainWindow::guideChips(const ViewPane& pane) const {
             regionChips(m_bench, m_bench.surface(pane.settings().content), m_visible, m_selected),
             std::back_inserter(chips));
     if (planShown())
-        std::ranges::copy(featureChips(m_bench, m_selected), std::back_inserter(chips));
+        std::ranges::copy(chipsOfChosen(m_bench, m_selected), std::back_inserter(chips));
     for (const Eigen::Vector3d& point : m_planePoints)
         chips.push_back({point, {}, scene.colours().accent});
     return chips;

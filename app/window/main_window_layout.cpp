@@ -117,21 +117,26 @@ void MainWindow::buildWorkflow() {
 }
 
 void MainWindow::buildCentre() {
-    m_centre = new QStackedWidget(this);
+    auto* centre = new QWidget(this);
+    auto* rows = new QVBoxLayout(centre);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    m_banner = new Banner(centre);
+    rows->addWidget(m_banner);
+    m_centre = new QStackedWidget(centre);
+    rows->addWidget(m_centre, 1);
     m_start = new StartPage(m_actions[u"open"_s], m_actions[u"tour"_s], bundledSamples(), m_centre);
     m_centre->addWidget(m_start);
     auto* work = new QWidget(m_centre);
     auto* column = new QVBoxLayout(work);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    m_banner = new Banner(work);
-    column->addWidget(m_banner);
     m_viewBar = new ViewBar(m_actions, work);
     column->addWidget(m_viewBar);
     buildViews(work);
     column->addWidget(m_views, 1);
     m_centre->addWidget(work);
-    setCentralWidget(m_centre);
+    setCentralWidget(centre);
 }
 
 void MainWindow::buildDocks() {

@@ -3,6 +3,7 @@
 #include "window/main_window.h"
 
 #include "view/part_view.h"
+#include "window/chosen_features.h"
 #include "window/live_steel.h"
 #include "window/mold_feature_pages.h"
 #include "window/mold_placing.h"
@@ -71,7 +72,7 @@ void MainWindow::showMold(scene::Scene& scene, bool shown, const ShownSteel* ste
 }
 
 bool MainWindow::planShown() const {
-    const bool chosen = m_selected == u"mold"_s || featureOf(m_selected);
+    const bool chosen = m_selected == u"mold"_s || m_selected.startsWith(u"feature-"_s);
     return chosen && m_bench.castShown() && m_visible.mold && !moldShown();
 }
 
@@ -89,10 +90,11 @@ void MainWindow::serveFeatures(ViewPane& pane) {
         m_dragged.reset();
         m_bench.document().endPreview();
     });
-    connect(view, &PartView::featureClicked, this, [this](const scene::FeatureAt& at) {
-        if (const PlacedRow* row = shownRow(m_bench.placing(), at))
-            select(featureId(row->stands.kind, row->stands.number));
-    });
+    connect(view, &PartView::featureClicked, this,
+            [this](const scene::FeatureAt& at, Qt::KeyboardModifiers keys) {
+                if (const PlacedRow* row = shownRow(m_bench.placing(), at))
+                    choose({featureId(row->stands.kind, row->stands.number)}, keys);
+            });
 }
 
 void MainWindow::dragFeature(const PartView& view, const scene::FeatureAt& at, const scene::Ray& ray,
@@ -119,8 +121,10 @@ void MainWindow::dragFeature(const PartView& view, const scene::FeatureAt& at, c
 
 void MainWindow::connectFeatureActions() {
     m_actions.on(u"place-automatically"_s, [this] {
-        if (const auto feature = featureOf(m_selected))
-            m_bench.placing().placeAutomatically(feature->kind, feature->number);
+        std::vector<std::pair<Placeable, int>> features;
+        for (const auto& [kind, number] : featuresOf(m_selected))
+            features.emplace_back(kind, number);
+        m_bench.placing().placeAutomatically(features);
     });
     m_actions.on(u"place-all-automatically"_s, [this] { m_bench.placing().placeAllAutomatically(); });
 }

@@ -180,9 +180,9 @@ void MainWindow::servePins(ViewPane& pane) {
         m_bench.addPin(place);
         select(pinId(static_cast<int>(m_bench.project().pins.size()) - 1));
     });
-    connect(view, &PartView::pinClicked, this, [this](const scene::PinAt& pin) {
+    connect(view, &PartView::pinClicked, this, [this](const scene::PinAt& pin, Qt::KeyboardModifiers keys) {
         if (!pin.suggested)
-            select(pinId(pin.number));
+            choose({pinId(pin.number)}, keys);
         else if (m_bench.editable())
             m_bench.acceptSuggestion(pin.number);
     });
@@ -215,17 +215,7 @@ void MainWindow::snapPlane(const PartingPlane& plane) {
 void MainWindow::connectPinActions() {
     m_actions.on(u"suggest-pins"_s, [this] { m_bench.suggestPins(); });
     m_actions.on(u"accept-tips"_s, [this] { m_bench.acceptTips(); });
-    m_actions.on(u"remove-guide"_s, [this] {
-        if (const int variant = variantNumber(m_selected); variant >= 0)
-            return m_bench.removeVariant(variant);
-        const int region = regionNumber(m_selected);
-        if (region < 0)
-            m_bench.removePin(pinNumber(m_selected));
-        else
-            m_bench.removeRegion(region);
-        forgetRow(m_visible, m_selected);
-        select(region < 0 ? u"pins"_s : allRegionsId());
-    });
+    m_actions.on(u"remove-guide"_s, [this] { removeChosen(); });
     m_actions.on(u"clear-pins"_s, [this] { m_bench.clearPins(); });
     m_actions.on(u"import-pins"_s, [this] { choosePinsToImport(); });
     m_actions.on(u"export-pins"_s, [this] { choosePinsToExport(); });

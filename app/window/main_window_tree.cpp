@@ -3,13 +3,21 @@
 #include "window/main_window.h"
 
 #include "panels/project_tree.h"
+#include "view/part_view.h"
 #include "window/importance_pages.h"
+#include "window/mold_feature_pages.h"
+#include "window/mold_placing.h"
 #include "window/pin_pages.h"
 #include "window/row_commands.h"
+#include "window/selection.h"
 #include "window/variant_pages.h"
+#include "window/view_pane.h"
 #include "window/workbench.h"
 
 #include <QMenu>
+
+#include <algorithm>
+#include <functional>
 
 namespace moldwright {
 
@@ -32,17 +40,23 @@ void rename(Workbench& bench, const QString& id, const QString& name) {
 } // namespace
 
 void MainWindow::connectTree() {
-    const auto toggleRow = [this](const QString& id) {
-        toggle(m_visible, id);
+    const auto toggleRows = [this](const QString& ids) {
+        toggle(m_visible, chosenIds(ids));
         refreshSoon();
     };
-    connect(m_tree, &ProjectTree::chosen, this, &MainWindow::select);
-    connect(m_tree, &ProjectTree::visibilityToggled, this, toggleRow);
+    connect(m_tree, &ProjectTree::chosen, this, [this](const QStringList& ids) {
+        if (!ids.isEmpty())
+            select(chosenTogether(ids));
+        m_tree->select(chosenIds(m_selected)); // which may be fewer
+    });
+    connect(m_tree, &ProjectTree::visibilityToggled, this, [this, toggleRows](const QString& id) {
+        toggleRows(chosenIds(m_selected).contains(id) ? m_selected : id);
+    });
     connect(m_projectModel, &ProjectModel::renamed, this,
             [this](const QString& id, const QString& name) { rename(m_bench, id, name); });
     connect(m_tree, &ProjectTree::menuRequested, this, &MainWindow::showRowMenu);
     m_actions.on(u"rename"_s, [this] { m_tree->rename(rowMeant()); });
-    m_actions.on(u"hide"_s, [this, toggleRow] { toggleRow(m_selected); });
+    m_actions.on(u"hide"_s, [this, toggleRows] { toggleRows(m_selected); });
 }
 
 QString MainWindow::rowMeant() const {
@@ -58,12 +72,53 @@ void MainWindow::showRowMenu(const QString& id, const QPoint& place) {
     const QStringList commands = commandsOfRow(id);
     if (commands.isEmpty())
         return;
-    select(id);
+    if (!chosenIds(m_selected).contains(id))
+        select(id);
     refreshActions(); // for this row
     QMenu menu;
     for (const QString& command : commands)
         command.isEmpty() ? (void)menu.addSeparator() : menu.addAction(m_actions[command]);
     menu.exec(place);
+}
+
+void MainWindow::choose(const QStringList& ids, Qt::KeyboardModifiers keys) {
+    select(chosenWith(m_selected, ids, choosingBy(keys)));
+}
+
+void MainWindow::removeChosen() {
+    if (const int variant = variantNumber(m_selected); variant >= 0)
+        return m_bench.removeVariant(variant);
+    const std::vector<int> regions = regionNumbers(m_selected);
+    if (regions.empty())
+        m_bench.removePins(pinNumbers(m_selected));
+    else
+        m_bench.removeRegions(regions);
+    QStringList gone = chosenIds(m_selected);
+    // From the last to the first: each moves those after it up.
+    std::ranges::sort(gone, std::greater(), [](const QString& id) { return id.section(u'-', -1).toInt(); });
+    for (const QString& id : gone)
+        forgetRow(m_visible, id);
+    select(regions.empty() ? u"pins"_s : allRegionsId());
+}
+
+void MainWindow::serveBoxes(ViewPane& pane) {
+    PartView* view = &pane.view();
+    connect(view, &PartView::boxDrawn, this,
+            [this, view](const scene::Lasso& box, Qt::KeyboardModifiers keys) {
+                const auto inBox = [&](const Eigen::Vector3d& place) {
+                    return scene::isInside(box.line, box.camera.project(place, box.view).head<2>());
+                };
+                QStringList ids;
+                for (const scene::ShownPin& pin : view->scene().pins().pins().pins)
+                    if (inBox(pin.place))
+                        ids << pinId(pin.number);
+                const std::vector<PlacedRow>& rows = m_bench.placing().rows();
+                const std::vector<scene::ShownFeature>& features = view->scene().features().plan().features;
+                for (std::size_t i = 0; i < std::min(rows.size(), features.size()); ++i)
+                    if (std::ranges::any_of(features[i].places, inBox))
+                        ids << featureId(rows[i].stands.kind, rows[i].stands.number);
+                choose(ids, keys);
+            });
 }
 
 } // namespace moldwright

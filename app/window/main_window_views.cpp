@@ -4,16 +4,17 @@
 
 #include "project/edits.h"
 #include "view/part_view.h"
+#include "window/chosen_features.h"
 #include "window/face_paint.h"
 #include "window/importance_pages.h"
 #include "window/importance_paint.h"
 #include "window/live_steel.h"
 #include "window/measure_tool.h"
-#include "window/mold_feature_pages.h"
 #include "window/obstruction_words.h"
 #include "window/paint_tool.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
+#include "window/refusal_pages.h"
 #include "window/steel_paint.h"
 #include "window/undercut_pages.h"
 #include "window/view_area.h"
@@ -91,6 +92,7 @@ void MainWindow::connectPane(ViewPane& pane) {
     m_measure->serve(pane);
     serveTools(pane);
     serveFeatures(pane);
+    serveBoxes(pane);
     PartView* view = &pane.view();
     view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
     view->scene().setLook(theme().scene, view->devicePixelRatioF());
@@ -105,6 +107,8 @@ void MainWindow::connectPane(ViewPane& pane) {
     });
     connect(view, &PartView::dragCancelled, this, [this] { m_bench.document().endPreview(); });
     connect(view, &PartView::markClicked, this, [this](int chip) {
+        if (const RefusedMesh* refused = m_bench.refused())
+            return select(faultId(markedFaults(*refused, m_selected).at(static_cast<std::size_t>(chip))));
         const auto obstructions = static_cast<int>(m_bench.obstructions().size());
         const std::vector<int> undercuts = markedUndercuts(m_bench, m_selected);
         if (chip < obstructions)
@@ -184,6 +188,7 @@ void MainWindow::setMode(DisplayMode mode) {
 void MainWindow::refreshViewActions() {
     const ViewSettings& settings = m_views->active().settings();
     m_viewBar->setMode(settings.mode);
+    m_viewBar->setModesEnabled(!m_bench.refused());
     for (int mode = 0; mode < displayModeCount; ++mode)
         m_actions[displayModeCommand(static_cast<DisplayMode>(mode))]->setChecked(
             settings.mode == static_cast<DisplayMode>(mode));
@@ -233,9 +238,13 @@ void MainWindow::refreshNextView() {
 }
 
 void MainWindow::refreshView(ViewPane& pane) {
+    if (m_bench.refused())
+        return showRefused(pane);
     const ViewSettings& settings = pane.settings();
     PartView& view = pane.view();
     scene::Scene& scene = view.scene();
+    scene.setFaults({});
+    scene.setTwoSided(false);
     const bool inMold = moldShown() && settings.content == ViewContent::Newest;
     const bool inPlan = planShown() && settings.content == ViewContent::Newest;
     view.setEditable(!inMold && !inPlan && !showsOther(pane) && m_bench.editable());
@@ -267,7 +276,7 @@ void MainWindow::refreshView(ViewPane& pane) {
     const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
     scene.setPath(measured ? m_measure->measurement().path() : m_planePoints);
     showGuides(pane, surface);
-    scene.setPlan(inPlan ? shownPlan(m_bench, m_selected) : scene::ShownPlan());
+    scene.setPlan(inPlan ? planWithChosen(m_bench, m_selected) : scene::ShownPlan());
     view.redraw();
 }
 

@@ -42,15 +42,12 @@ NumberProperty millimetres(double least, double most, bool slider = false) {
     return {u"mm"_s, least, most, 0.5, 1, slider};
 }
 
-/// A field for one number, found in the settings by `place`.
+/// A field for one number, found by `place` in settings to be read and in settings to be written.
 template <class Place>
 Field numberField(const QString& id, const QString& label, const QString& help, NumberProperty kind,
                   Place place) {
     return {{id, label, help, std::move(kind)},
-            [place](const MoldSettings& mold) {
-                MoldSettings copy = mold;
-                return static_cast<double>(place(copy));
-            },
+            [place](const MoldSettings& mold) { return static_cast<double>(place(mold)); },
             [place](MoldSettings& mold, const QVariant& value) {
                 auto& number = place(mold);
                 number = static_cast<std::remove_reference_t<decltype(number)>>(value.toDouble());
@@ -68,11 +65,11 @@ FieldSection blockFields() {
         Words::tr("Block"),
         {numberField(u"wall"_s, Words::tr("Wall"),
                      Words::tr("Steel between the cavities and each side face."), steel,
-                     [](MoldSettings& mold) -> double& { return mold.wall; }),
+                     [](auto& mold) -> auto& { return mold.wall; }),
          numberField(u"ceiling"_s, Words::tr("Over half 1"), Words::tr("Steel over the cavities of half 1."),
-                     steel, [](MoldSettings& mold) -> double& { return mold.ceiling; }),
+                     steel, [](auto& mold) -> auto& { return mold.ceiling; }),
          numberField(u"floor"_s, Words::tr("Under half 2"), Words::tr("Steel under the cavities of half 2."),
-                     steel, [](MoldSettings& mold) -> double& { return mold.floor; }),
+                     steel, [](auto& mold) -> auto& { return mold.floor; }),
          {{u"block-shape"_s, Words::tr("Outline"),
            Words::tr(
                "A box, or a shell that saves material: what holds nothing is cut away from its corners."),
@@ -85,8 +82,7 @@ FieldSection blockFields() {
              u"outer-draft"_s, Words::tr("Outer draft"),
              Words::tr("The outer faces widen to the back by this, so that a half that is cast leaves "
                        "its form; below 0 they narrow."),
-             {u"°"_s, -15, 15, 0.5, 1, false},
-             [](MoldSettings& mold) -> double& { return mold.outerDraft; })}};
+             {u"°"_s, -15, 15, 0.5, 1, false}, [](auto& mold) -> auto& { return mold.outerDraft; })}};
 }
 
 /// The lengths of a stock as a person writes them, and back; what is no length is left out.
@@ -106,7 +102,7 @@ std::vector<double> stockFrom(const QString& text) {
 
 FieldSection machineFields() {
     const auto axis = [](Eigen::Index k) {
-        return [k](MoldSettings& mold) -> double& { return mold.machines.bed[k]; };
+        return [k](auto& mold) -> auto& { return mold.machines.bed[k]; };
     };
     const NumberProperty length = millimetres(0, 5000);
     const QString help =
@@ -124,7 +120,7 @@ FieldSection machineFields() {
              numberField(u"press"_s, Words::tr("Press"),
                          Words::tr("What it closes with; a mold that needs more is told of. 0: not known."),
                          {u"kN"_s, 0, 100000, 1, 1, false},
-                         [](MoldSettings& mold) -> double& { return mold.machines.clamp; })}};
+                         [](auto& mold) -> auto& { return mold.machines.clamp; })}};
 }
 
 FieldSection cavityFields() {
@@ -133,9 +129,9 @@ FieldSection cavityFields() {
     return {
         Words::tr("Cavities"),
         {numberField(u"columns"_s, Words::tr("Side by side"), Words::tr("Cavities in a row."), upTo,
-                     [](MoldSettings& mold) -> int& { return mold.layout.columns; }),
+                     [](auto& mold) -> auto& { return mold.layout.columns; }),
          numberField(u"rows"_s, Words::tr("Rows"), Words::tr("Rows of cavities."), upTo,
-                     [](MoldSettings& mold) -> int& { return mold.layout.rows; }),
+                     [](auto& mold) -> auto& { return mold.layout.rows; }),
          {{u"arrangement"_s, Words::tr("Arrangement"),
            Words::tr("How rows lie to each other. Packed: as close as the outlines allow. Circle: about a "
                      "spout in their middle, each filled over a way of the same length. Free: at the places "
@@ -161,7 +157,7 @@ FieldSection cavityFields() {
           }},
          numberField(u"spacing"_s, Words::tr("Steel between"),
                      Words::tr("Between cavities, and between them and channels."), millimetres(1, 50),
-                     [](MoldSettings& mold) -> double& { return mold.layout.spacing; }),
+                     [](auto& mold) -> auto& { return mold.layout.spacing; }),
          {{u"shrink"_s, Words::tr("Shrink"),
            Words::tr("By how much the material shrinks; the cavity is made larger by it. The same along "
                      "all axes of the part until y or z differ, then along x. Less than 0: it expands."),
@@ -174,9 +170,9 @@ FieldSection cavityFields() {
                               : Eigen::Vector3d(value.toDouble(), percent.y(), percent.z());
           }},
          numberField(u"shrink-y"_s, Words::tr("Along y"), Words::tr("Shrink along y of the part."),
-                     shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.y(); }),
+                     shrinkRange, [](auto& mold) -> auto& { return mold.shrink.percent.y(); }),
          numberField(u"shrink-z"_s, Words::tr("Along z"), Words::tr("Shrink along z of the part."),
-                     shrinkRange, [](MoldSettings& mold) -> double& { return mold.shrink.percent.z(); }),
+                     shrinkRange, [](auto& mold) -> auto& { return mold.shrink.percent.z(); }),
          {{u"shrink-formula"_s, Words::tr("Made larger by"),
            Words::tr("Both are in use; at 5 % they are 1.0500 and 1.0526. The report says which."),
            ChoiceProperty{{u"1 + S"_s, u"1 / (1 − S)"_s}}},
@@ -213,19 +209,19 @@ FieldSection fillingFields() {
           }},
          numberField(u"spout-diameter"_s, Words::tr("Spout's width"),
                      Words::tr("In the parting plane; of one through half 1, above its neck."),
-                     millimetres(2, 60), [](MoldSettings& mold) -> double& { return mold.spout.diameter; }),
+                     millimetres(2, 60), [](auto& mold) -> auto& { return mold.spout.diameter; }),
          numberField(u"spout-neck"_s, Words::tr("Neck"),
                      Words::tr("Where a spout through half 1 breaks off."), millimetres(1, 30),
-                     [](MoldSettings& mold) -> double& { return mold.spout.neck; }),
+                     [](auto& mold) -> auto& { return mold.spout.neck; }),
          tiltChoice(),
          numberField(u"pour-tilt-degrees"_s, Words::tr("Tilt"),
                      Words::tr("How far the mold's top leans while it is filled, where that is by number."),
                      {u"°"_s, 0, mostPourTilt, 1, 0, false},
-                     [](MoldSettings& mold) -> double& { return mold.spout.tilt.degrees; }),
+                     [](auto& mold) -> auto& { return mold.spout.tilt.degrees; }),
          numberField(u"pour-towards"_s, Words::tr("Towards"),
                      Words::tr("0 to the right, 90 to half 1, or to the back of a mold that lies flat."),
                      {u"°"_s, 0, 359, 45, 0, false},
-                     [](MoldSettings& mold) -> double& { return mold.spout.tilt.towards; }),
+                     [](auto& mold) -> auto& { return mold.spout.tilt.towards; }),
          {{u"vents"_s, Words::tr("Vents"), Words::tr("Where air would stay while the mold is filled."),
            ChoiceProperty{{Words::tr("None"), Words::tr("Automatic")}}},
           [](const MoldSettings& mold) { return mold.vents.on ? 1.0 : 0.0; },
@@ -233,23 +229,23 @@ FieldSection fillingFields() {
          numberField(u"vent-depth"_s, Words::tr("Vents' depth"),
                      Words::tr("In the parting plane, both halves together; 0: as their width asks."),
                      {u"mm"_s, 0, 5, 0.01, 3, false},
-                     [](MoldSettings& mold) -> double& { return mold.vents.depth; }),
+                     [](auto& mold) -> auto& { return mold.vents.depth; }),
          countField(u"overflows"_s, Words::tr("Overflows"),
                     Words::tr("Closed wells beside each solid of each cavity, for the material that "
                               "arrives last."),
-                    12, [](MoldSettings& mold) -> int& { return mold.overflows.count; }),
+                    12, [](auto& mold) -> auto& { return mold.overflows.count; }),
          numberField(u"overflow-diameter"_s, Words::tr("Their width"),
                      Words::tr("Of the wells in the parting plane."), millimetres(2, 50),
-                     [](MoldSettings& mold) -> double& { return mold.overflows.diameter; }),
+                     [](auto& mold) -> auto& { return mold.overflows.diameter; }),
          numberField(u"overflow-channel"_s, Words::tr("Their channels' width"),
                      Words::tr("0.3 of the well's at most."), {u"mm"_s, 0.5, 15, 0.1, 2, false},
-                     [](MoldSettings& mold) -> double& { return mold.overflows.channel; }),
+                     [](auto& mold) -> auto& { return mold.overflows.channel; }),
          numberField(u"overflow-length"_s, Words::tr("Their channels' length"),
                      Words::tr("From the cavity to the well."), millimetres(0.5, 30),
-                     [](MoldSettings& mold) -> double& { return mold.overflows.length; }),
+                     [](auto& mold) -> auto& { return mold.overflows.length; }),
          numberField(u"hollow"_s, Words::tr("Cast hollow"),
                      Words::tr("The wall that stays when the rest is poured out again; 0: solid."),
-                     millimetres(0, 50), [](MoldSettings& mold) -> double& { return mold.hollow.wall; })}};
+                     millimetres(0, 50), [](auto& mold) -> auto& { return mold.hollow.wall; })}};
 }
 
 FieldSection closingFields() {
@@ -257,17 +253,17 @@ FieldSection closingFields() {
             {countField(u"keys"_s, Words::tr("Registration keys"),
                         Words::tr("On half 2, in sockets of half 1; one is larger, so that the halves fit "
                                   "one way only."),
-                        12, [](MoldSettings& mold) -> int& { return mold.keys.count; }),
+                        12, [](auto& mold) -> auto& { return mold.keys.count; }),
              numberField(u"key-clearance"_s, Words::tr("Their clearance"),
                          Words::tr("On all sides and in depth."), {u"mm"_s, 0, 2, 0.05, 2, false},
-                         [](MoldSettings& mold) -> double& { return mold.keys.clearance; }),
+                         [](auto& mold) -> auto& { return mold.keys.clearance; }),
              countField(u"slits"_s, Words::tr("Wedge slits"),
                         Words::tr("Notches at the edge of the plane, to pry the halves apart."), 8,
-                        [](MoldSettings& mold) -> int& { return mold.slits.count; }),
+                        [](auto& mold) -> auto& { return mold.slits.count; }),
              countField(u"bolts"_s, Words::tr("Bolt holes"), Words::tr("Straight through both halves."), 12,
-                        [](MoldSettings& mold) -> int& { return mold.bolts.count; }),
+                        [](auto& mold) -> auto& { return mold.bolts.count; }),
              countField(u"ejectors"_s, Words::tr("Ejector holes"), Words::tr("For each cavity."), 8,
-                        [](MoldSettings& mold) -> int& { return mold.ejectors.count; })}};
+                        [](auto& mold) -> auto& { return mold.ejectors.count; })}};
 }
 
 FieldSection pocketFields() {
@@ -276,7 +272,7 @@ FieldSection pocketFields() {
         Words::tr("Insert pockets"),
         {countField(u"pockets"_s, Words::tr("Pockets"),
                     Words::tr("In the parting face, for nuts, magnets or dowels."), 12,
-                    [](MoldSettings& mold) -> int& { return mold.pockets.count; }),
+                    [](auto& mold) -> auto& { return mold.pockets.count; }),
          {{u"pocket-shape"_s, Words::tr("Insert"), Words::tr("Its shape, seen along the normal."),
            ChoiceProperty{{Words::tr("Round"), Words::tr("Hexagon"), Words::tr("Rectangle")}}},
           [](const MoldSettings& mold) { return static_cast<double>(mold.pockets.shape); },
@@ -285,15 +281,15 @@ FieldSection pocketFields() {
           }},
          numberField(u"pocket-width"_s, Words::tr("Its width"),
                      Words::tr("Diameter, across flats, or the side along y."), size,
-                     [](MoldSettings& mold) -> double& { return mold.pockets.width; }),
+                     [](auto& mold) -> auto& { return mold.pockets.width; }),
          numberField(u"pocket-length"_s, Words::tr("Its length"),
                      Words::tr("The side along x, of a rectangle."), size,
-                     [](MoldSettings& mold) -> double& { return mold.pockets.length; }),
+                     [](auto& mold) -> auto& { return mold.pockets.length; }),
          numberField(u"pocket-depth"_s, Words::tr("Pockets' depth"), Words::tr("Into the half."), size,
-                     [](MoldSettings& mold) -> double& { return mold.pockets.depth; }),
+                     [](auto& mold) -> auto& { return mold.pockets.depth; }),
          numberField(u"pocket-clearance"_s, Words::tr("Pockets' clearance"),
                      Words::tr("Round the insert, at the pocket's floor."), {u"mm"_s, 0, 2, 0.05, 2, false},
-                     [](MoldSettings& mold) -> double& { return mold.pockets.clearance; }),
+                     [](auto& mold) -> auto& { return mold.pockets.clearance; }),
          {{u"pocket-half"_s, Words::tr("Pockets in"), Words::tr("Dowels ask for both halves."),
            ChoiceProperty{{Words::tr("Half 1"), Words::tr("Half 2"), Words::tr("Halves 1 and 2")}}},
           [](const MoldSettings& mold) { return mold.pockets.side == 0 ? 2.0 : mold.pockets.side - 1.0; },
@@ -313,10 +309,10 @@ FieldSection plaqueFields() {
           }},
          numberField(u"plaque-height"_s, Words::tr("Letters' height"),
                      Words::tr("Of capitals, 2.8 mm or more; 0: as large as there is room for."),
-                     millimetres(0, 100), [](MoldSettings& mold) -> double& { return mold.plaque.height; }),
+                     millimetres(0, 100), [](auto& mold) -> auto& { return mold.plaque.height; }),
          numberField(u"plaque-depth"_s, Words::tr("Letters' depth"), Words::tr("Of their grooves."),
                      {u"mm"_s, 0.1, 5, 0.1, 2, false},
-                     [](MoldSettings& mold) -> double& { return mold.plaque.depth; })}};
+                     [](auto& mold) -> auto& { return mold.plaque.depth; })}};
 }
 
 std::vector<FieldSection> fieldSections() {

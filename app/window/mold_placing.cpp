@@ -149,11 +149,14 @@ void MoldPlacing::place(const PlacedFeature& feature, const QString& mergeKey, b
         m_document.edit(Words::tr("Move %1").arg(featureName(feature.kind, feature.number)), after, mergeKey);
 }
 
-void MoldPlacing::placeAutomatically(Placeable kind, int number) {
+void MoldPlacing::placeAutomatically(const std::vector<std::pair<Placeable, int>>& features) {
     const Project& from = m_document.committed();
     MoldSettings mold = from.mold;
-    mold.placed = withoutPlaced(mold.placed, kind, number);
-    m_document.edit(Words::tr("Place %1 automatically").arg(featureName(kind, number)),
+    for (const auto& [kind, number] : features)
+        mold.placed = withoutPlaced(mold.placed, kind, number);
+    const auto& [kind, number] = features.front();
+    m_document.edit(features.size() == 1 ? Words::tr("Place %1 automatically").arg(featureName(kind, number))
+                                         : Words::tr("Place %1 features automatically").arg(features.size()),
                     withMoldSettings(from, mold));
 }
 

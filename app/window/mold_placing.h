@@ -49,7 +49,8 @@ public:
 
     /// A preview is no step yet. Pieces of one drag become one step by `mergeKey`.
     void place(const PlacedFeature& feature, const QString& mergeKey, bool preview);
-    void placeAutomatically(Placeable kind, int number);
+    /// One step for all of them: kinds and numbers.
+    void placeAutomatically(const std::vector<std::pair<Placeable, int>>& features);
     void placeAllAutomatically();
 
 Q_SIGNALS:

@@ -4,6 +4,7 @@
 #include "project/edits.h"
 #include "theme/theme.h"
 #include "window/action_table.h"
+#include "window/common_value.h"
 #include "window/presentation.h"
 #include "window/row_id.h"
 #include "window/workbench.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace moldwright {
 
@@ -44,6 +46,11 @@ QString wayText(const Workbench& bench, int number) {
 
 bool isPin(const Workbench& bench, int number) {
     return number >= 0 && number < static_cast<int>(bench.project().pins.size());
+}
+
+/// The one of these pins that is farthest from the plane.
+int farthestOf(const Workbench& bench, const std::vector<int>& numbers) {
+    return *std::ranges::max_element(numbers, {}, [&](int number) { return wayToPlane(bench, number); });
 }
 
 PropertySection suggestedSection(const Workbench& bench, const Actions& actions) {
@@ -97,13 +104,14 @@ PropertyPage allPage(const Workbench& bench, const Actions& actions) {
     else
         set.rows = {Property{u"pin-number"_s, Words::tr("Pins"), {}, ReadingProperty{}},
                     Property{u"pin-farthest"_s, Words::tr("Farthest from the plane"), {}, ReadingProperty{}}};
-    page.sections = {std::move(set),
-                     tableOfPins(bench),
-                     suggestedSection(bench, actions),
-                     {Words::tr("All pins"),
-                      {},
-                      {actions[u"clear-pins"_s], actions[u"import-pins"_s], actions[u"export-pins"_s]},
-                      false}};
+    page.sections = {std::move(set)};
+    if (!bench.project().pins.empty())
+        page.sections.push_back(tableOfPins(bench));
+    page.sections.push_back(suggestedSection(bench, actions));
+    page.sections.push_back({Words::tr("All pins"),
+                             {},
+                             {actions[u"clear-pins"_s], actions[u"import-pins"_s], actions[u"export-pins"_s]},
+                             false});
     return page;
 }
 
@@ -117,8 +125,12 @@ int pinNumber(const QString& id) {
     return numberAfter(u"pin-"_s, id);
 }
 
+std::vector<int> pinNumbers(const QString& selected) {
+    return numbersAfter(u"pin-"_s, selected);
+}
+
 bool pinsChosen(const QString& selected) {
-    return selected == allId || selected == suggestedId || pinNumber(selected) >= 0;
+    return selected == allId || selected == suggestedId || !pinNumbers(selected).empty();
 }
 
 void addPinRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Visibility& visible) {
@@ -148,10 +160,13 @@ void addPinRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Vis
                         .visible = visible.suggestedPins});
 }
 
-PropertyPage pinPage(int number, const Workbench& bench, const Actions& actions) {
-    if (!isPin(bench, number))
+PropertyPage pinPage(const QString& selected, const Workbench& bench, const Actions& actions) {
+    const std::vector<int> numbers = pinNumbers(selected);
+    if (numbers.empty() || !isPin(bench, numbers.back()))
         return allPage(bench, actions);
-    PropertyPage page{pinId(number), u"pin"_s, bench.pinName(number), Words::tr("Pins"), {}};
+    const QString title =
+        numbers.size() == 1 ? bench.pinName(numbers.front()) : Words::tr("%1 pins").arg(numbers.size());
+    PropertyPage page{selected, u"pin"_s, title, Words::tr("Pins"), {}};
     page.layout = page.title;
     const NumberProperty place{u"mm"_s, -10000, 10000, 0.5, 2, false};
     PropertySection where{Words::tr("Place in the part"), {}, {actions[u"remove-guide"_s]}, false};
@@ -160,7 +175,8 @@ PropertyPage pinPage(int number, const Workbench& bench, const Actions& actions)
     page.sections = {
         std::move(where),
         {Words::tr("Measured"),
-         {Property{u"pin-way"_s, Words::tr("To the plane"),
+         {Property{u"pin-way"_s,
+                   numbers.size() == 1 ? Words::tr("To the plane") : Words::tr("Farthest from the plane"),
                    Words::tr("How far a run has to draw it, along the plane's normal."), ReadingProperty{}}},
          {},
          false}};
@@ -173,12 +189,10 @@ void fillPinPage(PropertyPanel& panel, const Workbench& bench) {
     };
     const std::vector<NamedPin>& pins = bench.project().pins;
     if (panel.pageId() == allId) {
-        int farthest = 0;
-        for (int i = 1; i < static_cast<int>(pins.size()); ++i)
-            if (wayToPlane(bench, i) > wayToPlane(bench, farthest))
-                farthest = i;
+        std::vector<int> all(pins.size());
+        std::iota(all.begin(), all.end(), 0);
         reading(u"pin-number"_s, QString::number(pins.size()));
-        reading(u"pin-farthest"_s, pins.empty() ? u"–"_s : wayText(bench, farthest));
+        reading(u"pin-farthest"_s, pins.empty() ? u"–"_s : wayText(bench, farthestOf(bench, all)));
         for (int i = 0; i < static_cast<int>(pins.size()); ++i)
             reading(wayPrefix + QString::number(i), wayText(bench, i));
         panel.setValue(u"pin-count"_s, bench.suggestionCount());
@@ -187,13 +201,14 @@ void fillPinPage(PropertyPanel& panel, const Workbench& bench) {
                 QString::number(std::ranges::count(suggested, PinKind::Tip, &SuggestedPin::kind)));
         return;
     }
-    const int number = pinNumber(panel.pageId());
-    if (!isPin(bench, number))
+    const std::vector<int> numbers = pinNumbers(panel.pageId());
+    if (numbers.empty() || !isPin(bench, numbers.back()))
         return;
     for (int axis = 0; axis < 3; ++axis)
-        panel.setValue(placePrefix + axes[static_cast<std::size_t>(axis)],
-                       pins[static_cast<std::size_t>(number)].point[axis]);
-    reading(u"pin-way"_s, wayText(bench, number));
+        panel.setValue(placePrefix + axes[static_cast<std::size_t>(axis)], common(numbers, [&](int number) {
+                           return pins[static_cast<std::size_t>(number)].point[axis];
+                       }));
+    reading(u"pin-way"_s, wayText(bench, farthestOf(bench, numbers)));
 }
 
 bool applyPinValue(Workbench& bench, const QString& id, const QString& page, double value, bool preview) {
@@ -201,28 +216,34 @@ bool applyPinValue(Workbench& bench, const QString& id, const QString& page, dou
         bench.setSuggestionCount(static_cast<int>(std::lround(value)));
         return true;
     }
-    const int number = pinNumber(page);
-    if (!id.startsWith(placePrefix) || !isPin(bench, number))
+    const std::vector<int> numbers = pinNumbers(page);
+    if (!id.startsWith(placePrefix) || numbers.empty() || !isPin(bench, numbers.back()))
         return false;
-    Eigen::Vector3d place = bench.document().committed().pins[static_cast<std::size_t>(number)].point;
-    place[static_cast<Eigen::Index>(std::ranges::find(axes, id.mid(placePrefix.size())) - axes.begin())] =
-        value;
-    if (!preview)
-        bench.movePin(number, place, page + id);
+    if (preview)
+        return true;
+    const Project& from = bench.document().committed();
+    std::vector<NamedPin> pins = from.pins;
+    const auto axis = std::ranges::find(axes, id.mid(placePrefix.size())) - axes.begin();
+    for (const int number : numbers)
+        pins[static_cast<std::size_t>(number)].point[static_cast<Eigen::Index>(axis)] = value;
+    bench.document().edit(numbers.size() == 1 ? Words::tr("Move %1").arg(bench.pinName(numbers.front()))
+                                              : Words::tr("Move %1 pins").arg(numbers.size()),
+                          withPins(from, std::move(pins)), page + id);
     return true;
 }
 
 scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool suggested,
                            const Visibility& visible) {
     scene::ShownPins shown;
-    const int chosen = pinNumber(selected);
+    const std::vector<int> chosen = pinNumbers(selected);
     const std::optional<MoldState> state = bench.shownState();
     const std::vector<Pin> pins = bench.pinsInView();
     for (int i = 0; i < static_cast<int>(pins.size()); ++i) {
         if (!visible.shows(pinId(i)))
             continue;
         const Pin& pin = pins[static_cast<std::size_t>(i)];
-        scene::ShownPin it{.number = i, .place = pin.point, .onPlane = {}, .chosen = chosen == i};
+        scene::ShownPin it{
+            .number = i, .place = pin.point, .onPlane = {}, .chosen = std::ranges::binary_search(chosen, i)};
         if (state)
             it.onPlane = pin.point - state->plane.distance(pin.point) * state->plane.normal;
         shown.pins.push_back(it);
@@ -234,13 +255,17 @@ scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool
 }
 
 std::vector<scene::Chip> pinChips(const Workbench& bench, const QString& selected) {
-    const int number = pinNumber(selected);
-    if (!isPin(bench, number))
-        return {};
-    const std::string way = Words::tr("%1 to the plane").arg(wayText(bench, number)).toStdString();
-    return {
-        {bench.project().pins[static_cast<std::size_t>(number)].point,
-         {{}, {{std::nullopt, {{bench.pinName(number).toStdString()}, {way, scene::Ink::Text, true}}, {}}}}}};
+    std::vector<scene::Chip> chips;
+    for (const int number : pinNumbers(selected)) {
+        if (!isPin(bench, number))
+            continue;
+        const std::string way = Words::tr("%1 to the plane").arg(wayText(bench, number)).toStdString();
+        chips.push_back(
+            {bench.project().pins[static_cast<std::size_t>(number)].point,
+             {{},
+              {{std::nullopt, {{bench.pinName(number).toStdString()}, {way, scene::Ink::Text, true}}, {}}}}});
+    }
+    return chips;
 }
 
 } // namespace moldwright

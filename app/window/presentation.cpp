@@ -9,6 +9,7 @@
 #include "window/mold_feature_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
+#include "window/refusal_pages.h"
 #include "window/row_id.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
@@ -227,6 +228,8 @@ double tiltDegrees(const MoldState& state, int side) {
 }
 
 std::array<StepState, stepCount> stepStates(const Workbench& bench) {
+    if (bench.refused())
+        return refusedStates(*bench.refused());
     std::array<StepState, stepCount> states;
     const Project& project = bench.project();
     if (!project.part)
@@ -244,6 +247,8 @@ std::array<StepState, stepCount> stepStates(const Workbench& bench) {
 }
 
 std::vector<ProjectRow> projectRows(const Workbench& bench, const Visibility& visible) {
+    if (bench.refused())
+        return refusedRows(*bench.refused());
     std::vector<ProjectRow> rows;
     if (!bench.project().part)
         return rows;
@@ -274,11 +279,19 @@ bool* switchOf(Visibility& visible, const QString& id) {
 
 } // namespace
 
-void toggle(Visibility& visible, const QString& id) {
-    if (bool* shown = switchOf(visible, id))
-        *shown = !*shown;
-    else if (visible.hidden.erase(id) == 0)
-        visible.hidden.insert(id);
+void toggle(Visibility& visible, const QStringList& ids) {
+    const auto isShown = [&](const QString& id) {
+        const bool* shown = switchOf(visible, id);
+        return shown ? *shown : visible.shows(id);
+    };
+    const bool hide = std::ranges::any_of(ids, isShown);
+    for (const QString& id : ids)
+        if (bool* shown = switchOf(visible, id))
+            *shown = !hide;
+        else if (hide)
+            visible.hidden.insert(id);
+        else
+            visible.hidden.erase(id);
 }
 
 void forgetRow(Visibility& visible, const QString& id) {
@@ -294,6 +307,8 @@ void forgetRow(Visibility& visible, const QString& id) {
 }
 
 Verdict verdictOf(const Workbench& bench) {
+    if (bench.refused())
+        return refusedVerdict(*bench.refused());
     const Project& project = bench.project();
     if (!project.part)
         return {Standing::Info, Words::tr("No part open"), Words::tr("Open a mesh or a sample")};
@@ -322,9 +337,12 @@ Verdict verdictOf(const Workbench& bench) {
 
 scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content) {
     const Project& project = bench.project();
-    const Variant* other = content == ViewContent::Compared ? bench.variants().other() : nullptr;
+    const bool compared = content == ViewContent::Compared && !bench.refused();
+    const Variant* other = compared ? bench.variants().other() : nullptr;
     QString words;
-    if (other)
+    if (bench.refused())
+        words = Words::tr("As read");
+    else if (other)
         words = other->cast ? Words::tr("Cast") : Words::tr("Part as opened");
     else if (content == ViewContent::Part)
         words = Words::tr("Part as opened");

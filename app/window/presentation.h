@@ -32,8 +32,8 @@ struct Visibility {
     [[nodiscard]] bool shows(const QString& id) const { return !hidden.contains(id); }
 };
 
-/// Shows or hides what the eye of a row in the tree stands for.
-void toggle(Visibility& visible, const QString& id);
+/// Shows or hides what the eyes of rows in the tree stand for; of several all are hidden unless all are.
+void toggle(Visibility& visible, const QStringList& ids);
 /// A row of numbered ones ("pin-3") is removed: those after it get the number before theirs.
 void forgetRow(Visibility& visible, const QString& id);
 

@@ -2,12 +2,15 @@
 #include "window/property_pages.h"
 
 #include "window/action_table.h"
+#include "window/chosen_features.h"
 #include "window/importance_pages.h"
 #include "window/mold_feature_pages.h"
 #include "window/mold_pages.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
 #include "window/presentation.h"
+#include "window/refusal_pages.h"
+#include "window/selection.h"
 #include "window/sentence.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
@@ -266,6 +269,8 @@ PropertyPage castPage(const Workbench&, const Actions& actions) {
 } // namespace
 
 PropertyPage propertyPage(const QString& selected, const Workbench& bench, const Actions& actions) {
+    if (bench.refused())
+        return refusedPage(selected, *bench.refused(), actions);
     if (selected == u"plane"_s)
         return planePage(bench, actions);
     if (selected.startsWith(u"direction"_s) && bench.project().state)
@@ -276,15 +281,17 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
     if (selected.startsWith(u"undercut"_s))
         return undercutPage(undercutNumber(selected), bench, actions);
     if (pinsChosen(selected))
-        return pinPage(pinNumber(selected), bench, actions);
+        return pinPage(selected, bench, actions);
     if (variantsChosen(selected))
         return variantPage(bench, actions);
     if (regionsChosen(selected))
-        return regionPage(regionNumber(selected), bench, actions);
+        return regionPage(selected, bench, actions);
     if (selected == u"deform"_s)
         return deformPage(bench, actions);
     if (selected == u"cast"_s)
         return castPage(bench, actions);
+    if (severalChosen(selected))
+        return featuresPage(selected, actions);
     if (featureOf(selected))
         return featurePage(selected, bench, actions);
     if (selected == u"mold"_s || selected.startsWith(u"half"_s))

@@ -14,6 +14,7 @@
 #include "window/pin_pages.h"
 #include "window/presentation.h"
 #include "window/property_pages.h"
+#include "window/refusal_pages.h"
 #include "window/undercut_pages.h"
 #include "window/workbench.h"
 
@@ -248,6 +249,8 @@ std::optional<Edit> editFor(const Project& project, const QString& id, const QVa
 } // namespace
 
 void fillPage(PropertyPanel& panel, const Workbench& bench) {
+    if (bench.refused())
+        return fillRefusedPage(panel, *bench.refused());
     const Project& project = bench.project();
     if (!project.part)
         return;

@@ -6,6 +6,8 @@
 #include "window/mold_placing.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
+#include "window/refusal_pages.h"
+#include "window/refused_mesh.h"
 #include "window/undercut_pages.h"
 #include "window/workbench.h"
 
@@ -44,6 +46,16 @@ AlignedBox3d aroundRegions(int region, const Workbench& bench) {
     return box;
 }
 
+/// So wide that one sees where in the part it is.
+AlignedBox3d aroundFault(const RefusedMesh& refused, int number) {
+    AlignedBox3d box = refused.places[static_cast<std::size_t>(number)].box;
+    const Eigen::Vector3d reach =
+        Eigen::Vector3d::Constant(aboutPoint * refused.drawn->box.diagonal().norm());
+    box.extend(box.center() + reach);
+    box.extend(box.center() - reach);
+    return box;
+}
+
 AlignedBox3d aroundFeature(const FeatureName& feature, const Workbench& bench) {
     AlignedBox3d box;
     const MoldSketch* sketch = bench.placing().sketch();
@@ -60,6 +72,11 @@ AlignedBox3d aroundFeature(const FeatureName& feature, const Workbench& bench) {
 } // namespace
 
 AlignedBox3d placeOfRow(const QString& id, const Workbench& bench) {
+    if (const RefusedMesh* refused = bench.refused()) {
+        const int number = faultNumber(id);
+        const bool isPlace = number >= 0 && number < listedFaults(*refused);
+        return isPlace ? aroundFault(*refused, number) : refused->drawn->box;
+    }
     if (const int number = obstructionNumber(id);
         number >= 0 && number < static_cast<int>(bench.obstructions().size()))
         return bench.placeOf(number);

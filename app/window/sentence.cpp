@@ -47,4 +47,12 @@ QString sentence(const std::string& english) {
     return QString::fromStdString(translated(english));
 }
 
+HeadAndRest headAndRest(const QString& text) {
+    static const QRegularExpression end(u"\\. |。"_s);
+    const QRegularExpressionMatch stop = end.match(text);
+    if (!stop.hasMatch())
+        return {text, {}};
+    return {text.left(stop.capturedStart() + 1), text.mid(stop.capturedEnd())};
+}
+
 } // namespace moldwright

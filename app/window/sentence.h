@@ -15,4 +15,11 @@ namespace moldwright {
 [[nodiscard]] QString sentence(const Message& message);
 [[nodiscard]] QString sentence(const std::string& english);
 
+/// The first sentence of a text, which says what happened, and the rest, which says what to do.
+struct HeadAndRest {
+    QString headline;
+    QString rest;
+};
+[[nodiscard]] HeadAndRest headAndRest(const QString& text);
+
 } // namespace moldwright

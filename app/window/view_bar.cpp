@@ -90,6 +90,10 @@ void ViewBar::setMode(DisplayMode mode) {
     m_mode->setCurrentIndex(static_cast<int>(mode));
 }
 
+void ViewBar::setModesEnabled(bool enabled) {
+    m_mode->setEnabled(enabled);
+}
+
 void ViewBar::setMoldShown(bool shown) {
     for (QAction* part : m_moldParts)
         part->setVisible(shown);

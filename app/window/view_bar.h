@@ -20,6 +20,8 @@ public:
     ViewBar(const Actions& actions, QWidget* parent = nullptr);
 
     void setMode(DisplayMode mode);
+    /// Whether there is anything to be shown in a mode.
+    void setModesEnabled(bool enabled);
     void setMoldShown(bool shown);
     [[nodiscard]] double opening() const;
     /// Moves the slider there, as fast as a hand would.

@@ -87,12 +87,12 @@ std::optional<MoldState> Workbench::shownState() const {
 void Workbench::askAnalysis() {
     const SharedMesh mesh = project().cast ? project().cast->mesh : project().part;
     const Project& shown = project();
-    auto& asked = m_analysisAsked;
+    AnalysisRequest& asked = m_analysisAsked;
     const bool same =
         asked.mesh == mesh && asked.state == shown.state && asked.draftDegrees == shown.design.draftDegrees;
     if (!mesh || same)
         return; // other edits change nothing of it
-    asked = {mesh, shown.state, shown.design.draftDegrees};
+    asked = {mesh, shown.state, shown.design.draftDegrees, {}};
     m_analysis.ask(
         {mesh, shown.state, shown.design.draftDegrees, shown.cast ? shown.cast->labels : SideLabels()});
 }
@@ -149,8 +149,8 @@ void Workbench::complain(const Error& error, const QString& what) {
     }
     const QString text = sentence(error.message);
     say(Standing::Failing, text, boxAround(error.places));
-    const qsizetype stop = text.indexOf(QStringLiteral(". "));
-    Q_EMIT problem(stop < 0 ? text : text.left(stop + 1), stop < 0 ? QString() : text.mid(stop + 2));
+    const auto [headline, rest] = headAndRest(text);
+    Q_EMIT problem(headline, rest);
 }
 
 void Workbench::setPlacement(const Placement& placement, const QString& words, const QString& mergeKey) {

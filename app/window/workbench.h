@@ -13,6 +13,7 @@
 #include "window/display_mode.h"
 #include "window/document.h"
 #include "window/frame_history.h"
+#include "window/known_undercuts.h"
 #include "window/live_analysis.h"
 #include "window/live_frames.h"
 #include "window/live_maps.h"
@@ -39,6 +40,7 @@
 namespace moldwright {
 
 class MoldPlacing;
+struct RefusedMesh;
 
 /// Everything the window works on: the document, what is derived from it, and the jobs that change it. It
 /// knows no widget; windows come and go (with the language) while the workbench stays.
@@ -84,8 +86,8 @@ public:
     [[nodiscard]] bool castIsProved() const;
 
     [[nodiscard]] bool running() const { return m_stream != nullptr; }
-    /// Whether plane, directions and pins may be edited: no job runs, or one that takes them up.
-    [[nodiscard]] bool editable() const { return running() || !m_background.busy(); }
+    /// Whether plane, directions and pins may be edited: in view, and no job runs but one that takes them up.
+    [[nodiscard]] bool editable() const { return !m_refused && (running() || !m_background.busy()); }
     /// Whether a run holds still.
     [[nodiscard]] bool resting() const { return running() && m_control->resting(); }
     /// Whether a run is at the stage that finish() ends.
@@ -144,6 +146,9 @@ public:
     void removeVariant(int variant);
 
     // Files
+    /// A mesh that cannot be designed with, in view before the document until it is left; null for none.
+    [[nodiscard]] const RefusedMesh* refused() const { return m_refused.get(); }
+    void leaveRefused();
     void openFile(const QString& file);
     void openSample(const QString& file, const QString& name);
     void take(const OpenedMesh& opened, Unit unit, double scale);
@@ -207,7 +212,7 @@ public:
     /// An empty name: it goes by its number.
     void renamePin(int pin, const QString& name);
     [[nodiscard]] QString pinName(int pin) const;
-    void removePin(int pin);
+    void removePins(const std::vector<int>& pins);
     void clearPins();
     /// Pins from and to the JSON that the command line takes.
     void importPins(const QString& file);
@@ -240,9 +245,9 @@ public:
     /// Where the faces of casts and frames were on the part.
     [[nodiscard]] LiveOrigins& origins() const { return m_origins; }
     void renameRegion(int region, const QString& name);
-    void weighRegion(int region, double weight, bool preview);
-    void limitRegion(int region, double keepWithin, bool preview);
-    void removeRegion(int region);
+    void weighRegions(const std::vector<int>& regions, double weight, bool preview);
+    void limitRegions(const std::vector<int>& regions, double keepWithin, bool preview);
+    void removeRegions(const std::vector<int>& regions);
     void clearImportance();
     /// Regions from and to the JSON that the command line takes.
     void importWeights(const QString& file);
@@ -284,6 +289,8 @@ Q_SIGNALS:
     void changed();
     /// Another part is in view: bring it into sight.
     void partOpened();
+    /// Another mesh is refused(), or none any more.
+    void refusalChanged();
     /// A mesh was read; its unit must be asked for.
     void unitAsked(const moldwright::OpenedMesh& opened);
     void problem(const QString& headline, const QString& text);
@@ -326,8 +333,8 @@ private:
     bool acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words);
     [[nodiscard]] Project painted(int region, const std::vector<int>& faces, bool erase) const;
     [[nodiscard]] QString newRegionName() const;
-    void editRegion(int region, const QString& words, const QString& mergeKey, bool preview,
-                    const std::function<void(ImportantRegion&)>& change);
+    void editRegions(const std::vector<int>& numbers, const QString& words, const QString& mergeKey,
+                     bool preview, const std::function<void(ImportantRegion&)>& change);
     void tellOfRegions();
     void askRanks();
     void takeRanks(const RankRequest& request, const std::shared_ptr<const PinSuggestions>& ranked);
@@ -338,18 +345,16 @@ private:
     [[nodiscard]] const AnalysisAnswer* partAnswer() const;
     [[nodiscard]] const Variant& variantIn(ViewContent content) const;
     [[nodiscard]] bool completeRequest(MapRequest& request, ViewContent content) const;
+    void refuse(const std::shared_ptr<const RefusedMesh>& refused);
     void complain(const Error& error, const QString& what);
 
     Document m_document;
     MoldPlacing* m_placing; ///< a child
     Background m_background;
     LiveAnalysis m_analysis;
-    struct {
-        SharedMesh mesh;
-        std::optional<MoldState> state;
-        double draftDegrees = 0;
-    } m_analysisAsked; ///< the last request
+    AnalysisRequest m_analysisAsked; ///< the last request, but for its labels
     MessageModel m_messages;
+    std::shared_ptr<const RefusedMesh> m_refused;
     std::shared_ptr<const AnalysisAnswer> m_answer;
     LiveAnalysis m_partAnalysis; ///< of the part while its cast is shown beside it
     std::shared_ptr<const AnalysisAnswer> m_partAnswer;
@@ -380,12 +385,7 @@ private:
     std::vector<Obstruction> m_obstructions;
     SharedMesh m_obstructedPart;
     std::optional<MoldState> m_obstructedState;
-    struct {
-        SharedMesh part;
-        std::optional<MoldState> state;
-        std::vector<FillableUndercut> list;
-        std::vector<SharedMesh> walls; ///< of each
-    } m_undercuts;                     ///< of this part at this state
+    KnownUndercuts m_undercuts;
     LiveRanks m_ranks;
     std::shared_ptr<const PinSuggestions> m_suggested;  ///< as found
     std::shared_ptr<const PinSuggestions> m_rankedPins; ///< the same, ranked as answered last

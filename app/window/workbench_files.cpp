@@ -6,6 +6,8 @@
 #include "project/edits.h"
 #include "project/project_file.h"
 #include "window/preferences.h"
+#include "window/refused_mesh.h"
+#include "window/sentence.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -77,6 +79,7 @@ void Workbench::readProject(const QString& file) {
 }
 
 void Workbench::forgetOldPart() {
+    m_refused.reset();
     m_offered.clear();
     m_offeredPart.reset();
     m_suggestedPart.reset();
@@ -113,24 +116,42 @@ void Workbench::save(const QString& file, const QByteArray& thumbnail, const std
 }
 
 void Workbench::readFile(const QString& file, const QString& name, bool sample) {
-    m_background.start(tr("Opening %1").arg(QFileInfo(file).fileName()),
-                       [=, this](const Task& task) -> Background::Finish {
-                           const Result<ReadMesh> read = readMesh(file.toStdString(), task);
-                           const Result<PreparedMesh> prepared =
-                               read ? prepare(read->mesh, QFileInfo(file).fileName().toStdString())
-                                    : std::unexpected(read.error());
-                           return [=, this] {
-                               if (!prepared) {
-                                   complain(prepared.error(), tr("Opening"));
-                                   return;
-                               }
-                               const OpenedMesh opened{name, sample ? QString() : file, *prepared};
-                               if (sample)
-                                   take(opened, Unit::Millimetre, 1);
-                               else
-                                   Q_EMIT unitAsked(opened);
-                           };
-                       });
+    m_background.start(
+        tr("Opening %1").arg(QFileInfo(file).fileName()), [=, this](const Task& task) -> Background::Finish {
+            const Result<ReadMesh> read = readMesh(file.toStdString(), task);
+            if (!read)
+                return [=, this] { complain(read.error(), tr("Opening")); };
+            Examination part = examine(read->mesh, QFileInfo(file).fileName().toStdString());
+            if (!part.faults.empty()) {
+                const Error fault = part.faults.front();
+                const auto refused = refusedMesh(file, std::move(part));
+                return [=, this] { refused ? refuse(refused) : complain(fault, tr("Opening")); };
+            }
+            const OpenedMesh opened{name,
+                                    sample ? QString() : file,
+                                    {std::move(part.mesh), std::move(part.repairs), std::move(part.notes)}};
+            return [=, this] {
+                if (sample)
+                    take(opened, Unit::Millimetre, 1);
+                else
+                    Q_EMIT unitAsked(opened);
+            };
+        });
+}
+
+void Workbench::refuse(const std::shared_ptr<const RefusedMesh>& refused) {
+    m_refused = refused;
+    // Its places are not the document's: there is nothing to show once it is left.
+    for (const Error& fault : refused->part.faults)
+        say(Standing::Failing, sentence(fault.message));
+    Q_EMIT refusalChanged();
+    Q_EMIT changed();
+}
+
+void Workbench::leaveRefused() {
+    m_refused.reset();
+    Q_EMIT refusalChanged();
+    Q_EMIT changed();
 }
 
 void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {

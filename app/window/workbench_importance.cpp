@@ -22,6 +22,13 @@ double rounded(double mm) {
     return unit * std::round(mm / unit);
 }
 
+/// The same for the same regions: pieces of one drag become one step.
+QString mergeKeyOf(QString key, const std::vector<int>& regions) {
+    for (const int region : regions)
+        key += QStringLiteral("-%1").arg(region);
+    return key;
+}
+
 } // namespace
 
 double Workbench::brushRadius() const {
@@ -97,10 +104,11 @@ void Workbench::strokeIn(const scene::Lasso& lasso, const ShownSurface& surface,
     });
 }
 
-void Workbench::editRegion(int region, const QString& words, const QString& mergeKey, bool preview,
-                           const std::function<void(ImportantRegion&)>& change) {
+void Workbench::editRegions(const std::vector<int>& numbers, const QString& words, const QString& mergeKey,
+                            bool preview, const std::function<void(ImportantRegion&)>& change) {
     std::vector<ImportantRegion> regions = m_document.committed().importance;
-    change(regions.at(static_cast<std::size_t>(region)));
+    for (const int number : numbers)
+        change(regions.at(static_cast<std::size_t>(number)));
     const Project after = withImportance(m_document.committed(), std::move(regions));
     if (preview)
         m_document.preview(after);
@@ -109,25 +117,34 @@ void Workbench::editRegion(int region, const QString& words, const QString& merg
 }
 
 void Workbench::renameRegion(int region, const QString& name) {
-    editRegion(region, tr("Rename"), {}, false,
-               [&](ImportantRegion& changed) { changed.name = name.toStdString(); });
+    editRegions({region}, tr("Rename"), {}, false,
+                [&](ImportantRegion& changed) { changed.name = name.toStdString(); });
 }
 
-void Workbench::weighRegion(int region, double weight, bool preview) {
-    editRegion(region, tr("Change a region's weight"), QStringLiteral("region-weight-%1").arg(region),
-               preview, [&](ImportantRegion& changed) { changed = weighing(std::move(changed), weight); });
+void Workbench::weighRegions(const std::vector<int>& regions, double weight, bool preview) {
+    editRegions(regions, regions.size() == 1 ? tr("Change a region's weight") : tr("Change regions' weights"),
+                mergeKeyOf(QStringLiteral("region-weight"), regions), preview,
+                [&](ImportantRegion& changed) { changed = weighing(std::move(changed), weight); });
 }
 
-void Workbench::limitRegion(int region, double keepWithin, bool preview) {
-    editRegion(region, tr("Change a region's limit"), QStringLiteral("region-limit-%1").arg(region), preview,
-               [&](ImportantRegion& changed) { changed.keepWithin = std::max(0.0, keepWithin); });
+void Workbench::limitRegions(const std::vector<int>& regions, double keepWithin, bool preview) {
+    editRegions(regions, regions.size() == 1 ? tr("Change a region's limit") : tr("Change regions' limits"),
+                mergeKeyOf(QStringLiteral("region-limit"), regions), preview,
+                [&](ImportantRegion& changed) { changed.keepWithin = std::max(0.0, keepWithin); });
 }
 
-void Workbench::removeRegion(int region) {
-    std::vector<ImportantRegion> regions = m_document.committed().importance;
-    const QString name = QString::fromStdString(regions.at(static_cast<std::size_t>(region)).name);
-    regions.erase(regions.begin() + region);
-    m_document.edit(tr("Remove %1").arg(name), withImportance(m_document.committed(), std::move(regions)));
+void Workbench::removeRegions(const std::vector<int>& numbers) {
+    const std::vector<ImportantRegion>& regions = m_document.committed().importance;
+    std::vector<ImportantRegion> kept;
+    for (int i = 0; i < static_cast<int>(regions.size()); ++i)
+        if (std::ranges::find(numbers, i) == numbers.end())
+            kept.push_back(regions[static_cast<std::size_t>(i)]);
+    const QString words =
+        numbers.size() == 1
+            ? tr("Remove %1")
+                  .arg(QString::fromStdString(regions.at(static_cast<std::size_t>(numbers.front())).name))
+            : tr("Remove %1 regions").arg(numbers.size());
+    m_document.edit(words, withImportance(m_document.committed(), std::move(kept)));
 }
 
 void Workbench::clearImportance() {

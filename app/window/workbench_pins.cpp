@@ -37,11 +37,13 @@ void Workbench::renamePin(int pin, const QString& name) {
     setPins(std::move(pins), tr("Rename"));
 }
 
-void Workbench::removePin(int pin) {
-    std::vector<NamedPin> pins = m_document.committed().pins;
-    const QString name = pinName(pin);
-    pins.erase(pins.begin() + pin);
-    setPins(std::move(pins), tr("Remove %1").arg(name));
+void Workbench::removePins(const std::vector<int>& pins) {
+    std::vector<NamedPin> kept;
+    for (int i = 0; i < static_cast<int>(project().pins.size()); ++i)
+        if (std::ranges::find(pins, i) == pins.end())
+            kept.push_back(m_document.committed().pins[static_cast<std::size_t>(i)]);
+    setPins(std::move(kept), pins.size() == 1 ? tr("Remove %1").arg(pinName(pins.front()))
+                                              : tr("Remove %1 pins").arg(pins.size()));
 }
 
 void Workbench::clearPins() {

@@ -247,22 +247,6 @@ TEST(Editing, ALargeMeshHasAStandInForMovementsThatTellsTheSame) {
     EXPECT_FALSE(view.scene().surface()->standIn);
 }
 
-TEST(Editing, AnOpenMeshIsRefusedWithASentence) {
-    WindowDriver driver;
-    ASSERT_TRUE(driver.openSample("praline"));
-    const test::ScratchFolder folder;
-    IndexedMesh holed = *driver.bench().project().part;
-    holed.F.conservativeResize(holed.F.rows() - 1, 3);
-    const std::filesystem::path file = folder.path() / "holed.ply";
-    ASSERT_TRUE(writeMesh(file, holed, MeshFormat::Ply));
-    QString headline;
-    QObject::connect(&driver.bench(), &Workbench::problem, [&](const QString& words) { headline = words; });
-    driver.window().openPath(QString::fromStdString(file.string()));
-    ASSERT_TRUE(driver.waitFor([&] { return !headline.isEmpty(); }));
-    EXPECT_TRUE(headline.contains(QStringLiteral("holed.ply"))) << headline.toStdString();
-    driver.shot("14-error");
-}
-
 TEST(Leaving, SavingOnTheWayOutSavesAndThenCloses) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("praline"));

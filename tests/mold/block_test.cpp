@@ -128,7 +128,7 @@ TEST(Machines, TooSmallForAMoldAreTold) {
         const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), settings);
         expectVerified(mold);
         return std::count_if(mold->notes.begin(), mold->notes.end(),
-                             [&](const std::string& note) { return note.find(words) != std::string::npos; });
+                             [&](const Message& note) { return note.english().find(words) != std::string::npos; });
     };
     EXPECT_EQ(told("larger than the printer's"), 0) << "20 × 30, turned";
     EXPECT_EQ(told("the press has"), 1);

@@ -99,8 +99,8 @@ TEST(MoldFeatures, RunnersFeedAllCavities) {
         settings.layout.columns = columns;
         const Result<Mold> built = moldOf(ball(8, 4), settings);
         ASSERT_TRUE(built);
-        const bool told = std::any_of(built->notes.begin(), built->notes.end(), [](const std::string& note) {
-            return note.find("do not fill at the same time") != std::string::npos;
+        const bool told = std::any_of(built->notes.begin(), built->notes.end(), [](const Message& note) {
+            return note.english().find("do not fill at the same time") != std::string::npos;
         });
         EXPECT_EQ(told, columns > 1) << rows << " x " << columns;
     }

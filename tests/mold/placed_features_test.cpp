@@ -154,8 +154,8 @@ TEST(PlacedFeatures, ThinSteelIsBuiltAndTold) {
     EXPECT_NEAR(thin->thickness, gap, 0.03);
     EXPECT_EQ(thin->first == "Key" ? thin->second : thin->first, "Cavity");
     EXPECT_LT(thin->thickness, steelAsked(*thin, settings));
-    EXPECT_TRUE(std::ranges::any_of(mold->notes, [](const std::string& note) {
-        return note.find("mm of steel between") != std::string::npos;
+    EXPECT_TRUE(std::ranges::any_of(mold->notes, [](const Message& note) {
+        return note.english().find("mm of steel between") != std::string::npos;
     }));
 }
 

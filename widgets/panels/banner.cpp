@@ -30,30 +30,40 @@ Banner::Banner(QWidget* parent) : QFrame(parent) {
     words->addWidget(m_headline);
     words->addWidget(m_text);
     row->addLayout(words, 1);
-    m_action = new QPushButton(this);
-    m_action->setProperty("primary", true);
-    row->addWidget(m_action);
+    for (int i = 0; i < static_cast<int>(m_actions.size()); ++i) {
+        QPushButton*& action = m_actions[static_cast<std::size_t>(i)];
+        action = new QPushButton(this);
+        action->setProperty("primary", i == 0);
+        action->setMinimumHeight(28);
+        action->setObjectName(i == 0 ? QStringLiteral("banner-action") : QStringLiteral("banner-action-2"));
+        row->addWidget(action);
+        connect(action, &QPushButton::clicked, this, [this, i] { Q_EMIT actionChosen(i); });
+    }
     auto* closeButton = new QToolButton(this);
     closeButton->setIcon(themeIcon(QStringLiteral("close")));
     closeButton->setAutoRaise(true);
     closeButton->setToolTip(tr("Close this message"));
     closeButton->setAccessibleName(closeButton->toolTip());
     row->addWidget(closeButton);
-    m_action->setObjectName(QStringLiteral("banner-action"));
-    connect(m_action, &QPushButton::clicked, this, &Banner::actionChosen);
-    connect(closeButton, &QToolButton::clicked, this, &QWidget::hide);
+    closeButton->setObjectName(QStringLiteral("banner-close"));
+    connect(closeButton, &QToolButton::clicked, this, [this] {
+        hide();
+        Q_EMIT closed();
+    });
     hide();
 }
 
 void Banner::showMessage(Standing standing, const QString& headline, const QString& text,
-                         const QString& action) {
+                         const QStringList& actions) {
     m_standing = standing;
     m_icon->setPixmap(standingIcon(standing).pixmap(24, 24));
     m_headline->setText(headline);
     m_text->setText(text);
     m_text->setVisible(!text.isEmpty());
-    m_action->setText(action);
-    m_action->setVisible(!action.isEmpty());
+    for (int i = 0; i < static_cast<int>(m_actions.size()); ++i) {
+        m_actions[static_cast<std::size_t>(i)]->setText(actions.value(i));
+        m_actions[static_cast<std::size_t>(i)]->setVisible(i < actions.size());
+    }
     setAccessibleName(headline);
     setAccessibleDescription(text);
     show();

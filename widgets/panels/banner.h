@@ -5,6 +5,8 @@
 
 #include <QFrame>
 
+#include <array>
+
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -18,13 +20,16 @@ class Banner : public QFrame {
 public:
     explicit Banner(QWidget* parent = nullptr);
 
-    /// Shows the message; `action` (may be empty) is the remedy's button.
+    /// Shows the message; `actions` (none, one or two) are its buttons, the foremost remedy first.
     void showMessage(Standing standing, const QString& headline, const QString& text,
-                     const QString& action = {});
+                     const QStringList& actions = {});
     [[nodiscard]] QString headline() const;
 
 Q_SIGNALS:
-    void actionChosen();
+    /// By its place among the actions.
+    void actionChosen(int action);
+    /// Somebody closed the message.
+    void closed();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -34,7 +39,7 @@ private:
     QLabel* m_icon;
     QLabel* m_headline;
     QLabel* m_text;
-    QPushButton* m_action;
+    std::array<QPushButton*, 2> m_actions;
 };
 
 } // namespace moldwright

@@ -95,6 +95,9 @@ MessageList::MessageList(MessageModel* model, QWidget* parent) : QListView(paren
     setModel(model);
     setItemDelegate(new MessageDelegate(model, this));
     setFrameShape(QFrame::NoFrame);
+    setViewportMargins(0, 4, 0, 0); // the first row keeps off the dock's title
+    setBackgroundRole(QPalette::Base);
+    setAutoFillBackground(true);
     setResizeMode(QListView::Adjust);
     setVerticalScrollMode(ScrollPerPixel);
     setAccessibleName(tr("Messages"));

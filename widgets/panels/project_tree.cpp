@@ -7,6 +7,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStyledItemDelegate>
 
@@ -145,6 +146,9 @@ ProjectTree::ProjectTree(ProjectModel* model, QWidget* parent) : QTreeView(paren
     setModel(model);
     setHeaderHidden(true);
     setFrameShape(QFrame::NoFrame);
+    setViewportMargins(0, 4, 0, 0); // the first row keeps off the dock's title
+    setBackgroundRole(QPalette::Base);
+    setAutoFillBackground(true);
     setIndentation(14);
     setUniformRowHeights(true);
     setItemDelegate(new RowDelegate(this));
@@ -166,11 +170,8 @@ ProjectTree::ProjectTree(ProjectModel* model, QWidget* parent) : QTreeView(paren
         if (index.column() != ProjectModel::Eye)
             Q_EMIT taken(m_model->row(index).id);
     });
-    connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this](const QModelIndex& index) {
-                if (index.isValid())
-                    Q_EMIT chosen(m_model->row(index).id);
-            });
+    setSelectionMode(ExtendedSelection);
+    connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProjectTree::tellChosen);
 }
 
 void ProjectTree::toggle(const QModelIndex& index) {
@@ -178,10 +179,39 @@ void ProjectTree::toggle(const QModelIndex& index) {
         Q_EMIT visibilityToggled(m_model->row(index).id);
 }
 
-void ProjectTree::select(const QString& id) {
-    const QModelIndex index = m_model->indexOf(id);
-    if (index.isValid() && index != currentIndex().siblingAtColumn(0))
-        setCurrentIndex(index);
+void ProjectTree::tellChosen() {
+    if (m_quiet)
+        return;
+    QStringList ids;
+    for (const QModelIndex& index : selectionModel()->selectedRows())
+        ids << m_model->row(index).id;
+    if (const QString current = selectedId(); ids.removeOne(current))
+        ids << current;
+    Q_EMIT chosen(ids);
+}
+
+void ProjectTree::select(const QStringList& ids) {
+    QItemSelection rows;
+    for (const QString& id : ids)
+        if (const QModelIndex index = m_model->indexOf(id); index.isValid())
+            rows.select(index, index.siblingAtColumn(ProjectModel::Eye));
+    if (rows.isEmpty())
+        return;
+    m_quiet = true;
+    if (const QModelIndex last = m_model->indexOf(ids.back());
+        last.isValid() && last != currentIndex().siblingAtColumn(0))
+        setCurrentIndex(last);
+    selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+    m_quiet = false;
+}
+
+QItemSelectionModel::SelectionFlags ProjectTree::selectionCommand(const QModelIndex& index,
+                                                                  const QEvent* event) const {
+    const auto* mouse =
+        event && event->type() == QEvent::MouseButtonPress ? static_cast<const QMouseEvent*>(event) : nullptr;
+    if (mouse && mouse->modifiers().testFlag(Qt::AltModifier))
+        return QItemSelectionModel::Deselect | QItemSelectionModel::Rows;
+    return QTreeView::selectionCommand(index, event);
 }
 
 void ProjectTree::rename(const QString& id) {

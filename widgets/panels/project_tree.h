@@ -61,13 +61,16 @@ class ProjectTree : public QTreeView {
 public:
     ProjectTree(ProjectModel* model, QWidget* parent = nullptr);
 
-    void select(const QString& id);
+    /// Chooses rows, the last one as the current one; tells nobody.
+    void select(const QStringList& ids);
     [[nodiscard]] QString selectedId() const;
     /// Begins to rename a row. Precondition: it can be renamed.
     void rename(const QString& id);
 
 Q_SIGNALS:
-    void chosen(const QString& id);
+    /// Rows were clicked or walked to, the current one last: Ctrl toggles one, Shift takes all up to one, Alt
+    /// takes one away. None: what was chosen is to stay.
+    void chosen(const QStringList& ids);
     void visibilityToggled(const QString& id);
     /// Return or a double click on a row.
     void taken(const QString& id);
@@ -75,13 +78,17 @@ Q_SIGNALS:
     void menuRequested(const QString& id, const QPoint& place);
 
 protected:
+    [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
+                                                                       const QEvent* event) const override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void toggle(const QModelIndex& index);
+    void tellChosen();
 
     ProjectModel* m_model;
+    bool m_quiet = false; ///< while rows are chosen by select()
 };
 
 } // namespace moldwright

@@ -335,7 +335,9 @@ void PropertyPanel::setValue(const QString& id, const QVariant& value) {
     const Row& row = found->second;
     if (row.field && !row.field->hasFocus()) {
         const QSignalBlocker quiet(row.field);
-        row.field->setValue(value.toDouble());
+        row.field->setMixed(!value.isValid());
+        if (value.isValid())
+            row.field->setValue(value.toDouble());
     }
     if (row.slider && !row.slider->isSliderDown()) {
         const QSignalBlocker quiet(row.slider);

@@ -97,7 +97,7 @@ public:
     void showPage(const PropertyPage& page, bool evenIfSame = false);
     [[nodiscard]] const QString& pageId() const { return m_pageId; }
 
-    /// Sets what a row shows; tells nobody.
+    /// Sets what a row shows; tells nobody. A number that is none stands for several that differ.
     void setValue(const QString& id, const QVariant& value);
 
     /// Sets what a table shows; tells nobody.

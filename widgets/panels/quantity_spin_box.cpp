@@ -2,6 +2,7 @@
 #include "panels/quantity_spin_box.h"
 
 #include <QRegularExpression>
+#include <QSignalBlocker>
 
 #include <array>
 
@@ -94,6 +95,19 @@ QuantitySpinBox::QuantitySpinBox(const QString& unit, int decimals, QWidget* par
     setFixedHeight(24);
     if (!unit.isEmpty())
         setSuffix((unit == QStringLiteral("°") ? QString() : QStringLiteral(" ")) + unit);
+    connect(this, &QDoubleSpinBox::valueChanged, this, [this] { setSpecialValueText({}); });
+}
+
+void QuantitySpinBox::setMixed(bool mixed) {
+    // The least value gives way to the word: nobody types that one.
+    const QSignalBlocker quiet(this);
+    setSpecialValueText(mixed ? tr("mixed") : QString());
+    if (mixed)
+        setValue(minimum());
+}
+
+QAbstractSpinBox::StepEnabled QuantitySpinBox::stepEnabled() const {
+    return mixed() ? StepEnabled(StepNone) : QDoubleSpinBox::stepEnabled();
 }
 
 QString QuantitySpinBox::textFromValue(double value) const {

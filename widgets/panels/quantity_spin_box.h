@@ -22,6 +22,13 @@ public:
     [[nodiscard]] double valueFromText(const QString& text) const override;
     [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
 
+    /// Several values are meant, which differ: it says so instead of one, until one is set.
+    void setMixed(bool mixed);
+    [[nodiscard]] bool mixed() const { return !specialValueText().isEmpty(); }
+
+protected:
+    [[nodiscard]] StepEnabled stepEnabled() const override;
+
 private:
     QString m_unit;
 };

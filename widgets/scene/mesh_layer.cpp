@@ -126,6 +126,13 @@ void MeshLayer::setEdges(bool shown) {
     applyLook();
 }
 
+void MeshLayer::setTwoSided(bool twoSided) {
+    if (twoSided == m_twoSided)
+        return;
+    m_twoSided = twoSided;
+    applyLook();
+}
+
 void MeshLayer::setPose(const Eigen::Isometry3d& pose) {
     m_pose = pose;
     applyLook();
@@ -145,8 +152,8 @@ void MeshLayer::applyLook() {
         for (const auto& piece : *pieces) {
             vtkProperty* look = piece->actor->GetProperty();
             look->SetOpacity(m_opacity);
-            // Surfaces are closed: their backs are never seen, and cost as much.
-            look->SetBackfaceCulling(m_opacity == 1);
+            // The backs of a closed surface are never seen, and cost as much.
+            look->SetBackfaceCulling(m_opacity == 1 && !m_twoSided);
             look->SetEdgeVisibility(m_edges);
             piece->actor->SetUserMatrix(pose);
             cutMapper(piece->mapper, m_cut);

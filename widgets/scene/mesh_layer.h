@@ -38,6 +38,8 @@ public:
     /// See-through from 0 to 1; 1 is solid.
     void setOpacity(double opacity);
     void setEdges(bool shown);
+    /// Draws its back too, for a surface that is not closed.
+    void setTwoSided(bool twoSided);
     void setPose(const Eigen::Isometry3d& pose);
     [[nodiscard]] const Eigen::Isometry3d& pose() const { return m_pose; }
     /// Hides what lies before the plane (n·x > o), in the scene's frame; nothing: shows all.
@@ -78,6 +80,7 @@ private:
     std::optional<int> m_only;
     double m_opacity = 1;
     bool m_edges = false;
+    bool m_twoSided = false;
     Eigen::Isometry3d m_pose = Eigen::Isometry3d::Identity();
     std::optional<PartingPlane> m_cut;
 };

@@ -62,6 +62,7 @@ Scene::Scene()
         m_front->AddActor(cone.rim());
     }
     m_front->AddActor(m_filling.actor());
+    m_front->AddActor(m_faults.actor());
     m_front->AddViewProp(m_path.actor());
     m_pins.addTo(m_front);
     m_features.addTo(m_front);
@@ -102,6 +103,7 @@ void Scene::setLook(const SceneColours& colours, double scale) {
     m_features.setLook(colours, scale);
     m_brush.setScale(scale);
     m_filling.setColour(colours.accent);
+    m_faults.setLook(colours.undercut, 3 * scale);
     m_cube.setLook(colours, m_words, scale);
     m_overlay.setColours(colours, scale);
     placePartingLine(); // its band has the theme's colour

@@ -10,6 +10,7 @@
 #include "scene/contact_paint.h"
 #include "scene/cut_layer.h"
 #include "scene/drawn_mesh.h"
+#include "scene/fault_layer.h"
 #include "scene/feature_layer.h"
 #include "scene/filling_layer.h"
 #include "scene/grips.h"
@@ -61,6 +62,11 @@ public:
     [[nodiscard]] bool standInsUsed() const { return m_standInsUsed; }
     void setSurfaceVisible(bool visible);
     void setEdges(bool shown) { m_surface.setEdges(shown); }
+    /// Draws the surface from behind too: it may be open.
+    void setTwoSided(bool twoSided) { m_surface.setTwoSided(twoSided); }
+    /// Edges of the surface that are at fault; none for a sound one. mm.
+    void setFaults(const std::vector<FaultLayer::Edge>& edges) { m_faults.set(edges); }
+    [[nodiscard]] const FaultLayer& faults() const { return m_faults; }
     void setSeeThrough(bool seeThrough);
     [[nodiscard]] bool seeThrough() const { return m_seeThrough; }
 
@@ -188,6 +194,7 @@ private:
     BrushLayer m_brush;
     PinLayer m_pins;
     FillingLayer m_filling;
+    FaultLayer m_faults;
     FeatureLayer m_features;
     OrientationCube m_cube;
     Overlay m_overlay;

@@ -104,14 +104,16 @@ Q_SIGNALS:
     void pinDropped(int pin);
     void pinDragCancelled();
     /// A pin of the scene was clicked.
-    void pinClicked(const moldwright::scene::PinAt& pin);
+    void pinClicked(const moldwright::scene::PinAt& pin, Qt::KeyboardModifiers keys);
     /// A feature of the mold is dragged: the ray under the pointer, to be taken as it is when `exactly`; then
     /// let go, or not.
     void featureDragged(const moldwright::scene::FeatureAt& feature, const moldwright::scene::Ray& ray,
                         bool exactly);
     void featureDropped();
     void featureDragCancelled();
-    void featureClicked(const moldwright::scene::FeatureAt& feature);
+    void featureClicked(const moldwright::scene::FeatureAt& feature, Qt::KeyboardModifiers keys);
+    /// A box was drawn from where nothing can be taken hold of, while clicks on the surface mean nothing.
+    void boxDrawn(const moldwright::scene::Lasso& box, Qt::KeyboardModifiers keys);
     /// The mark of a chip was clicked.
     void markClicked(int chip);
     void menuRequested(const QPoint& globalPlace);
@@ -149,9 +151,12 @@ private:
     void endPainting();
     void showBrush(const Eigen::Vector2d& at);
     void showLasso();
+    void drawBox(const Eigen::Vector2d& to);
+    /// The lasso as far as it is drawn, which goes.
+    [[nodiscard]] scene::Lasso takenLasso();
     void dragPin(const Eigen::Vector2d& to);
     void clicked(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys);
-    [[nodiscard]] bool clickedMark(const Eigen::Vector2d& at);
+    [[nodiscard]] bool clickedMark(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys);
     void placePin(const Eigen::Vector2d& at, bool inside);
     void moveCamera(scene::Motion motion, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
     void takeHold(scene::Grip grip, const Eigen::Vector2d& at);
@@ -190,6 +195,7 @@ private:
     std::optional<double> m_sizedTo;      ///< where it was last, px; none: it has not moved yet
     bool m_stroke = false;                ///< one is being drawn
     bool m_inverted = false;              ///< the lasso is
+    bool m_boxes = false;                 ///< the button went down where a box begins
     std::vector<Eigen::Vector2d> m_lasso; ///< as far as it is drawn
     std::optional<scene::Grip> m_hovered; ///< the grip under the pointer, or held
     Eigen::Vector2d m_pressed = Eigen::Vector2d::Zero();

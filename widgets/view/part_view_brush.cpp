@@ -71,11 +71,21 @@ void PartView::endPainting() {
         Q_EMIT strokeEnded();
         return;
     }
-    const scene::Lasso lasso{std::exchange(m_lasso, {}), m_camera, viewSize(), m_scene.cut()};
-    m_scene.setBrush({});
-    redraw();
+    const scene::Lasso lasso = takenLasso();
     if (lasso.line.size() > 2)
         Q_EMIT lassoDrawn(lasso, m_inverted);
+}
+
+scene::Lasso PartView::takenLasso() {
+    m_scene.setBrush({});
+    redraw();
+    return {std::exchange(m_lasso, {}), m_camera, viewSize(), m_scene.cut()};
+}
+
+void PartView::drawBox(const Eigen::Vector2d& to) {
+    moving();
+    m_lasso = {m_pressed, {to.x(), m_pressed.y()}, to, {m_pressed.x(), to.y()}, m_pressed};
+    showLasso();
 }
 
 void PartView::showBrush(const Eigen::Vector2d& at) {

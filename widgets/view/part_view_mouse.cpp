@@ -80,6 +80,8 @@ void PartView::leftPressed(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys
     } else if (const auto grip = gripUnder(at)) {
         takeHold(*grip, at);
         updatePointer();
+    } else {
+        m_boxes = true;
     }
 }
 
@@ -107,7 +109,9 @@ void PartView::mouseMoveEvent(QMouseEvent* event) {
         return;
     }
     m_dragged = m_dragged || (at - m_pressed).norm() > clickReach * devicePixelRatioF();
-    if (m_stroke || !m_lasso.empty()) {
+    if (m_boxes && m_dragged) {
+        drawBox(at);
+    } else if (m_stroke || !m_lasso.empty()) {
         paintTo(at);
     } else if (m_pin && m_dragged) {
         dragPin(at);
@@ -184,7 +188,9 @@ void PartView::mouseReleaseEvent(QMouseEvent* event) {
         m_feature.reset();
         updatePointer();
     }
-    if (event->button() == Qt::LeftButton && (m_stroke || !m_lasso.empty())) {
+    if (event->button() == Qt::LeftButton && std::exchange(m_boxes, false) && !m_lasso.empty()) {
+        Q_EMIT boxDrawn(takenLasso(), event->modifiers());
+    } else if (event->button() == Qt::LeftButton && (m_stroke || !m_lasso.empty())) {
         endPainting();
     } else if (event->button() == Qt::LeftButton && m_pin && m_dragged) {
         Q_EMIT pinDropped(*std::exchange(m_pin, std::nullopt));
@@ -208,7 +214,7 @@ void PartView::mouseReleaseEvent(QMouseEvent* event) {
 
 void PartView::clicked(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys) {
     const bool pinning = m_picking == Picking::Pin || m_picking == Picking::PinInside;
-    if ((pinning || m_picking == Picking::Nothing) && clickedMark(at))
+    if ((pinning || m_picking == Picking::Nothing) && clickedMark(at, keys))
         return;
     if (pinning) {
         placePin(at, (m_picking == Picking::PinInside) != keys.testFlag(Qt::ShiftModifier));
@@ -222,14 +228,14 @@ void PartView::clicked(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys) {
         Q_EMIT faceClicked(hit->face);
 }
 
-bool PartView::clickedMark(const Eigen::Vector2d& at) {
+bool PartView::clickedMark(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys) {
     const double reach = gripReach * devicePixelRatioF();
     if (const auto pin = m_scene.pins().at(m_camera, viewSize(), at.x(), at.y(), reach)) {
-        Q_EMIT pinClicked(*pin);
+        Q_EMIT pinClicked(*pin, keys);
         return true;
     }
     if (const auto feature = featureUnder(at)) {
-        Q_EMIT featureClicked(*feature);
+        Q_EMIT featureClicked(*feature, keys);
         return true;
     }
     const int chip = m_scene.overlay().markAt(m_camera, viewSize(), at.x(), at.y(), reach);
@@ -273,6 +279,7 @@ bool PartView::cancelDrag() {
     }
     if (m_stroke || !m_lasso.empty()) {
         m_lasso.clear();
+        m_boxes = false;
         m_scene.setBrush({});
         m_dragged = true;
         if (std::exchange(m_stroke, false))
