@@ -93,7 +93,7 @@ void MainWindow::showRefused(ViewPane& pane) {
     scene.setStandInColours(paint.standIn);
     scene.setTwoSided(true);
     scene.setFaults(refused.edges);
-    showMold(scene, false);
+    showMold(scene, false, nullptr);
     scene.setEdges(pane.settings().edges);
     scene.setSeeThrough(pane.settings().seeThrough || refused.faultHidden());
     scene.setSurfaceVisible(true);

@@ -2,6 +2,7 @@
 #include "window/sentence.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 namespace moldwright {
 

@@ -20,6 +20,8 @@ struct Message {
 
     /// `translated` (a translation of `text`) with its places filled.
     [[nodiscard]] std::string fill(const std::string& translated) const;
+
+    bool operator==(const Message&) const = default;
 };
 
 /// A number as people read it: at most `digits` significant digits, no trailing zeros, '.' as decimal point.

@@ -364,7 +364,7 @@ TEST(Shrink, ThatTakesTheDraftSaysByHowMuch) {
     ASSERT_TRUE(mold);
     EXPECT_FALSE(mold->verified());
     ASSERT_FALSE(mold->notes.empty());
-    EXPECT_NE(mold->notes.front().find("Design the cast with"), std::string::npos);
+    EXPECT_NE(mold->notes.front().english().find("Design the cast with"), std::string::npos);
 }
 
 TEST(Shrink, OfHalfThePartIsAMistake) {

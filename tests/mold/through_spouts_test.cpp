@@ -46,7 +46,7 @@ TEST(ThroughSpouts, WidenFromTheirNeckToTheBlocksFace) {
     EXPECT_NEAR(mold->sprueVolume, sprue, 1e-5 * sprue);
     EXPECT_NEAR(mold->channelVolume, mold->sprueVolume, 1e-9) << "it is mixed and poured all the same";
     ASSERT_FALSE(mold->notes.empty());
-    EXPECT_NE(mold->notes.back().find("breaks off"), std::string::npos);
+    EXPECT_NE(mold->notes.back().english().find("breaks off"), std::string::npos);
 }
 
 TEST(ThroughSpouts, ServeEachSolidOfEachCavity) {
