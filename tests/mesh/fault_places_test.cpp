@@ -105,10 +105,11 @@ TEST(FaultPlaces, AFaceWithoutAreaIsSeenByItsEdges) {
     box.F.row(m) << middle, b, c;
     box.F.row(m + 1) << a, b, middle;
     const std::vector<FaultPlace> places = placesOf(box);
-    ASSERT_EQ(places.size(), 1U);
+    ASSERT_EQ(places.size(), 2U);
     EXPECT_EQ(places[0].kind, FaultKind::FaceWithoutArea);
     EXPECT_EQ(places[0].faces, std::vector{m + 1});
     EXPECT_EQ(places[0].edges.size(), 3U);
+    EXPECT_EQ(places[1].kind, FaultKind::Crossing) << "its neighbours touch at the point in the middle";
 }
 
 TEST(FaultPlaces, AMeshRefusedForItsSizeIsNotSearched) {
