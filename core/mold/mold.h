@@ -32,7 +32,7 @@ struct MoldFeature {
     std::string name; ///< English
     Eigen::Vector3d place = Eigen::Vector3d::Zero();     ///< mm, mold's frame
     std::vector<std::pair<std::string, double>> numbers; ///< by key of mold.json; mm, degrees, mm³
-    Message note; ///< what was corrected and why; no text as a rule
+    Message note;                                        ///< what was corrected and why; no text as a rule
     /// What would put it by hand to where it stands; none for what follows from other features.
     std::optional<PlacedFeature> stands = {};
     Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< of the frame of `stands`, mm in the mold's
@@ -84,7 +84,7 @@ struct Mold {
     std::optional<LeaningMold> leaning; ///< where it leans, or less air would stay if it did
     Certificate castCertificate;        ///< of `cast` as it stands in the mold's frame
     std::vector<std::string> problems;  ///< English; what of mold.md's list does not hold
-    std::vector<Message> notes;        ///< what is proved but should be known
+    std::vector<Message> notes;         ///< what is proved but should be known
 
     [[nodiscard]] bool verified() const { return problems.empty() && castCertificate.holds(); }
 };

@@ -127,8 +127,9 @@ TEST(Machines, TooSmallForAMoldAreTold) {
     const auto told = [&](const char* words) {
         const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), settings);
         expectVerified(mold);
-        return std::count_if(mold->notes.begin(), mold->notes.end(),
-                             [&](const Message& note) { return note.english().find(words) != std::string::npos; });
+        return std::count_if(mold->notes.begin(), mold->notes.end(), [&](const Message& note) {
+            return note.english().find(words) != std::string::npos;
+        });
     };
     EXPECT_EQ(told("larger than the printer's"), 0) << "20 × 30, turned";
     EXPECT_EQ(told("the press has"), 1);

@@ -101,7 +101,8 @@ TEST(Plaque, OfBothHalvesIsProvedAndAddsUp) {
     for (const MoldFeature& feature : mold->features)
         if (feature.kind == "plaque") {
             const int side = feature.name.back() - '0';
-            EXPECT_EQ(feature.note.english(), "Reads: Rabbit 7 | half " + std::to_string(side) + " | shrink 1.5 %");
+            EXPECT_EQ(feature.note.english(),
+                      "Reads: Rabbit 7 | half " + std::to_string(side) + " | shrink 1.5 %");
             for (const auto& [key, value] : feature.numbers)
                 engraved += key == "volume" ? value : 0;
         }
