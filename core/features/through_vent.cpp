@@ -120,7 +120,7 @@ std::optional<ThroughVent> throughVent(const IndexedMesh& cast, const SideLabels
     constexpr int levels = 8;
     constexpr int steps = 16;
     // Nearest to the point first: what lies above the foot's highest point stays as a bubble.
-    for (int step = 0; step <= steps; ++step)
+    for (int step = request.quartersAway; step <= steps; ++step)
         for (const Vector2d& way : waysFrom(up))
             for (int level = 0; level < levels; ++level) {
                 const double foot = onGrid(top * (levels - level) / (levels + 1), request.grid);

@@ -28,6 +28,7 @@ struct ThroughVentRequest {
     double end = 0;        ///< distance of the block's outer face from the plane, mm
     double draftDegrees = 1;
     double grid = 0;
+    int quartersAway = 0; ///< quarters of its radius, from the high point, at which the search begins
 };
 
 /// A vent for the air at `highPoint`, a point of `cast` (mold's frame, plane z = 0) on the given side: its

@@ -206,7 +206,10 @@ private:
         const double axis = nudged(tip->x(), width);
         PlanShape shape =
             planRectangle({axis - width / 2, tip->y() - width}, {axis + width / 2, m_plan.line});
-        if (!wayIsFree(shape, exitInPlane(*tip, width) + 0.3) || !(vented.byHand || keepsClear(shape)))
+        // An outline's top is left at once, where that is up: what slants joins less soundly.
+        const bool slants = vented.byHand || m_plan.up != Eigen::Vector3d::UnitY();
+        const double exit = slants ? exitInPlane(*tip, width) : tip->y();
+        if (!wayIsFree(shape, exit + 0.3) || !(vented.byHand || keepsClear(shape)))
             return false;
         const double height = vents.depth > 0 ? vents.depth / sidesOfChannels() : heightOverWidth * width;
         if (!add(std::move(shape), height, {{}, "Vent", true, vented.number, *tip}))
@@ -248,6 +251,8 @@ private:
         // More than the mold's draft, so that rounding at the joint cannot take it away.
         request.draftDegrees = m_plan.draftDegrees + 0.5;
         request.grid = m_plan.rules.grid;
+        // Where joints near the high points come out unsound, a radius beside them they hardly do.
+        request.quartersAway = m_nudge > 4 ? 4 : 0;
         std::optional<ThroughVent> found =
             throughVent(m_kind.cast, m_kind.labels, m_plan.rules.directions, side, top, m_plan.up, request);
         if (!found || !(vented.byHand || keepsClear(found->body.base)))
