@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The options of pouring: how the mold leans, and its overflows.
 #include "cli/mold_options.h"
-
-#include <CLI/CLI.hpp>
+#include "cli/option_values.h"
 
 #include <charconv>
 
 namespace moldwright::cli {
-
-namespace {
-
-template <class T>
-void take(T& value, const std::optional<T>& given) {
-    if (given)
-        value = *given;
-}
-
-void length(CLI::App& app, const std::string& name, std::optional<double>& value, const std::string& help) {
-    app.add_option(name, value, help)->type_name("MM")->check(CLI::PositiveNumber.description(""));
-}
-
-} // namespace
 
 void MoldOptions::declarePouring(CLI::App& app) {
     app.add_option("--pour-tilt", pourTilt,

@@ -5,10 +5,11 @@
 
 namespace moldwright {
 
-LiveSteel::LiveSteel(QObject* parent) : QObject(parent), m_thread(QStringLiteral("steel")) {}
+LiveSteel::LiveSteel(QObject* parent)
+    : QObject(parent),
+      m_job(QStringLiteral("steel"), [this](const std::shared_ptr<const Mold>& mold) { work(mold); }) {}
 
 LiveSteel::~LiveSteel() {
-    (void)m_waiting.take();
     m_task.cancel();
 }
 
@@ -16,20 +17,16 @@ const ShownSteel* LiveSteel::of(const std::shared_ptr<const Mold>& mold) {
     if (m_asked != mold) {
         m_asked = mold;
         m_shown.reset();
-        m_waiting.put(mold);
-        m_thread.post([this] { work(); });
+        m_job.ask(mold);
     }
     return m_shown.get();
 }
 
-void LiveSteel::work() {
-    const auto mold = m_waiting.take();
-    if (!mold)
-        return; // a newer one took the place of the one that woke this
+void LiveSteel::work(const std::shared_ptr<const Mold>& mold) {
     const auto steel = std::make_shared<ShownSteel>();
-    steel->mold = *mold;
+    steel->mold = mold;
     for (const std::size_t i : {0UL, 1UL}) {
-        Result<SteelMap> map = steelMap(**mold, i == 0 ? 1 : 2, m_task);
+        Result<SteelMap> map = steelMap(*mold, i == 0 ? 1 : 2, m_task);
         if (!map)
             return;
         steel->maps[i] = *std::move(map);

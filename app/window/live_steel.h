@@ -4,8 +4,7 @@
 #include "base/task.h"
 #include "mold/steel_map.h"
 #include "scene/drawn_mesh.h"
-#include "window/latest.h"
-#include "window/work_thread.h"
+#include "window/newest_job.h"
 
 #include <QObject>
 
@@ -38,14 +37,13 @@ Q_SIGNALS:
     void measured();
 
 private:
-    void work();
+    void work(const std::shared_ptr<const Mold>& mold);
     void take(const std::shared_ptr<const ShownSteel>& steel);
 
     std::shared_ptr<const Mold> m_asked;
     std::shared_ptr<const ShownSteel> m_shown;
-    Latest<std::shared_ptr<const Mold>> m_waiting;
     Task m_task; ///< cancelled when nobody waits any more
-    WorkThread m_thread;
+    NewestJob<std::shared_ptr<const Mold>> m_job;
 };
 
 } // namespace moldwright

@@ -16,19 +16,6 @@ namespace moldwright {
 
 namespace {
 
-std::optional<MeshFormat> formatOf(const QString& file) {
-    const QString ending = QFileInfo(file).suffix().toLower();
-    if (ending == QStringLiteral("stl"))
-        return MeshFormat::StlBinary;
-    if (ending == QStringLiteral("ply"))
-        return MeshFormat::Ply;
-    if (ending == QStringLiteral("obj"))
-        return MeshFormat::Obj;
-    if (ending == QStringLiteral("off"))
-        return MeshFormat::Off;
-    return std::nullopt;
-}
-
 /// An empty project with what the user wants new parts to begin with.
 Project freshProject() {
     const preferences::Defaults defaults = preferences::defaults();
@@ -188,7 +175,7 @@ void Workbench::closePart() {
 }
 
 void Workbench::exportShape(const QString& file) {
-    const std::optional<MeshFormat> format = formatOf(file);
+    const std::optional<MeshFormat> format = formatFor(file.toStdString());
     if (!format) {
         Q_EMIT problem(tr("The shape was not written: the file's name must end in stl, ply, obj or off."),
                        file);
