@@ -1055,6 +1055,14 @@
         <source>Bring the next place where the mesh cannot be used into sight.</source>
         <translation>Die nächste Stelle ins Bild bringen, an der das Netz unbrauchbar ist.</translation>
     </message>
+    <message>
+        <source>Re&amp;pair the mesh</source>
+        <translation>Netz re&amp;parieren</translation>
+    </message>
+    <message>
+        <source>Mend what is wrong with the mesh, or make a closed skin about it, and open that. The file stays as it is.</source>
+        <translation>Behebt, was am Netz nicht stimmt, oder legt eine geschlossene Haut darum, und öffnet das. Die Datei bleibt, wie sie ist.</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -4490,12 +4498,16 @@
         <translation>%1 ist aufbewahrt, wie es um %2 war.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
-        <translation>&lt;b&gt;F3&lt;/b&gt; geht von Stelle zu Stelle, &lt;b&gt;F5&lt;/b&gt; liest die Datei noch einmal, &lt;b&gt;Esc&lt;/b&gt; kehrt zum Geöffneten zurück. %1</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, with &lt;b&gt;Ctrl&lt;/b&gt; several, or draw a box; &lt;b&gt;Del&lt;/b&gt; removes them; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
         <translation>&lt;b&gt;Klick&lt;/b&gt; wählt einen Heftpunkt, mit &lt;b&gt;Strg&lt;/b&gt; mehrere, auch mit einem Rahmen; &lt;b&gt;Entf&lt;/b&gt; entfernt sie; &lt;b&gt;P&lt;/b&gt; setzt einen weiteren. %1</translation>
+    </message>
+    <message>
+        <source>No suggested point is seen inside the lasso.</source>
+        <translation>Im Lasso ist kein vorgeschlagener Punkt zu sehen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;Ctrl+R&lt;/b&gt; repairs the mesh, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
+        <translation>&lt;b&gt;F3&lt;/b&gt; geht von Stelle zu Stelle, &lt;b&gt;Strg+R&lt;/b&gt; repariert das Netz, &lt;b&gt;F5&lt;/b&gt; liest die Datei erneut, &lt;b&gt;Esc&lt;/b&gt; geht zurück zu dem, was offen war. %1</translation>
     </message>
 </context>
 <context>
@@ -5111,14 +5123,6 @@
         <translation>%1 Heftpunkte sind vorgeschlagen. Ein Klick auf einen blassen Ring nimmt ihn an.</translation>
     </message>
     <message>
-        <source>Take a suggested pin</source>
-        <translation>Vorgeschlagenen Heftpunkt annehmen</translation>
-    </message>
-    <message>
-        <source>Pin the ends of limbs</source>
-        <translation>Enden von Gliedern anheften</translation>
-    </message>
-    <message>
         <source>Pins: %1, at most %2 mm from the plane.</source>
         <translation>Heftpunkte: %1, höchstens %2 mm von der Ebene.</translation>
     </message>
@@ -5235,14 +5239,6 @@
         <translation>Es gibt schon eine Variante %1. Nehmen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>Take suggested pins</source>
-        <translation>Vorgeschlagene Heftpunkte nehmen</translation>
-    </message>
-    <message>
-        <source>No suggested point is seen inside the lasso.</source>
-        <translation>Im Lasso ist kein vorgeschlagener Punkt zu sehen.</translation>
-    </message>
-    <message>
         <source>Move %1</source>
         <translation>%1 verschieben</translation>
     </message>
@@ -5265,6 +5261,14 @@
     <message>
         <source>Remove %1 pins</source>
         <translation>%1 Heftpunkte entfernen</translation>
+    </message>
+    <message>
+        <source>Repairing %1</source>
+        <translation>%1 reparieren</translation>
+    </message>
+    <message>
+        <source>Repairing</source>
+        <translation>Reparieren</translation>
     </message>
 </context>
 <context>
@@ -6394,10 +6398,6 @@ Offene Punkte: %1.</translation>
         <translation>Auswege</translation>
     </message>
     <message>
-        <source>Mend the mesh in the program that made it and write the file again; then read it again here. What was open before is as it was.</source>
-        <translation>Bessern Sie das Netz in dem Programm aus, das es gemacht hat, und schreiben Sie die Datei neu; dann lesen Sie sie hier noch einmal. Was vorher offen war, ist, wie es war.</translation>
-    </message>
-    <message>
         <source>Where</source>
         <translation>Wo</translation>
     </message>
@@ -6485,6 +6485,14 @@ Offene Punkte: %1.</translation>
         <source>Mesh problems</source>
         <translation>Mängel des Netzes</translation>
     </message>
+    <message>
+        <source>Repair fills holes, splits and drops what too many faces share, and makes faces anew where they cross; where that does not help, a closed skin about the surface. Messages tell what was done.</source>
+        <translation>Reparieren füllt Löcher, trennt und entfernt, was zu viele Flächen teilen, und macht Flächen neu, wo sie sich kreuzen; wo das nicht hilft, eine geschlossene Haut um die Oberfläche. Die Meldungen sagen, was geschah.</translation>
+    </message>
+    <message>
+        <source>Or mend the mesh in the program that made it and write the file again; then read it again here. What was open before is as it was.</source>
+        <translation>Oder beheben Sie das Netz in dem Programm, das es erzeugt hat, und schreiben Sie die Datei neu; lesen Sie sie dann hier erneut. Was zuvor offen war, ist unverändert.</translation>
+    </message>
 </context>
 <context>
     <name>ChosenFeatures</name>
@@ -6506,6 +6514,25 @@ Offene Punkte: %1.</translation>
     <message>
         <source>mixed</source>
         <translation>gemischt</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PinOffers</name>
+    <message>
+        <source>Looking for pins</source>
+        <translation>Heftpunkte suchen</translation>
+    </message>
+    <message>
+        <source>Take a suggested pin</source>
+        <translation>Vorgeschlagenen Heftpunkt annehmen</translation>
+    </message>
+    <message>
+        <source>Pin the ends of limbs</source>
+        <translation>Enden von Gliedern anheften</translation>
+    </message>
+    <message>
+        <source>Take suggested pins</source>
+        <translation>Vorgeschlagene Heftpunkte nehmen</translation>
     </message>
 </context>
 </TS>

@@ -1055,6 +1055,14 @@
         <source>Bring the next place where the mesh cannot be used into sight.</source>
         <translation>将网格无法使用的下一处移入视图。</translation>
     </message>
+    <message>
+        <source>Re&amp;pair the mesh</source>
+        <translation>修复网格(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Mend what is wrong with the mesh, or make a closed skin about it, and open that. The file stays as it is.</source>
+        <translation>修补网格的问题，或在其外做一层封闭外壳，然后打开。文件保持不变。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -4490,12 +4498,16 @@
         <translation>%1 已按 %2 时的状态保留。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
-        <translation>&lt;b&gt;F3&lt;/b&gt; 逐处查看，&lt;b&gt;F5&lt;/b&gt; 重新读取文件，&lt;b&gt;Esc&lt;/b&gt; 返回之前打开的内容。%1</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Click&lt;/b&gt; a pin to choose it, with &lt;b&gt;Ctrl&lt;/b&gt; several, or draw a box; &lt;b&gt;Del&lt;/b&gt; removes them; &lt;b&gt;P&lt;/b&gt; pins another point. %1</source>
         <translation>&lt;b&gt;单击&lt;/b&gt;选择固定点，按住 &lt;b&gt;Ctrl&lt;/b&gt; 可选多个，也可框选；&lt;b&gt;Del&lt;/b&gt; 删除；&lt;b&gt;P&lt;/b&gt; 再钉一点。%1</translation>
+    </message>
+    <message>
+        <source>No suggested point is seen inside the lasso.</source>
+        <translation>套索内没有可见的建议点。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;Ctrl+R&lt;/b&gt; repairs the mesh, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
+        <translation>&lt;b&gt;F3&lt;/b&gt; 逐处查看，&lt;b&gt;Ctrl+R&lt;/b&gt; 修复网格，&lt;b&gt;F5&lt;/b&gt; 重新读取文件，&lt;b&gt;Esc&lt;/b&gt; 返回之前打开的内容。%1</translation>
     </message>
 </context>
 <context>
@@ -5011,14 +5023,6 @@
         <translation>建议了 %1 个固定点。点击淡色圆环即可采用。</translation>
     </message>
     <message>
-        <source>Take a suggested pin</source>
-        <translation>采用建议的固定点</translation>
-    </message>
-    <message>
-        <source>Pin the ends of limbs</source>
-        <translation>固定肢端</translation>
-    </message>
-    <message>
         <source>moldwright-render could not be started.</source>
         <translation>无法启动 moldwright-render。</translation>
     </message>
@@ -5235,14 +5239,6 @@
         <translation>已有变型 %1。请取另一个名称。</translation>
     </message>
     <message>
-        <source>Take suggested pins</source>
-        <translation>采用建议的固定点</translation>
-    </message>
-    <message>
-        <source>No suggested point is seen inside the lasso.</source>
-        <translation>套索内没有可见的建议点。</translation>
-    </message>
-    <message>
         <source>Move %1</source>
         <translation>移动%1</translation>
     </message>
@@ -5265,6 +5261,14 @@
     <message>
         <source>Remove %1 pins</source>
         <translation>移除 %1 个固定点</translation>
+    </message>
+    <message>
+        <source>Repairing %1</source>
+        <translation>正在修复 %1</translation>
+    </message>
+    <message>
+        <source>Repairing</source>
+        <translation>修复</translation>
     </message>
 </context>
 <context>
@@ -6394,10 +6398,6 @@ Open items: %1.</source>
         <translation>解决办法</translation>
     </message>
     <message>
-        <source>Mend the mesh in the program that made it and write the file again; then read it again here. What was open before is as it was.</source>
-        <translation>在生成该网格的程序中修复并重新写出文件，然后在此重新读取。之前打开的内容保持不变。</translation>
-    </message>
-    <message>
         <source>Where</source>
         <translation>位置</translation>
     </message>
@@ -6485,6 +6485,14 @@ Open items: %1.</source>
         <source>Mesh problems</source>
         <translation>网格问题</translation>
     </message>
+    <message>
+        <source>Repair fills holes, splits and drops what too many faces share, and makes faces anew where they cross; where that does not help, a closed skin about the surface. Messages tell what was done.</source>
+        <translation>修复会填补孔洞，拆分或去除被过多面共用的部分，并在面相交处重新生成面；若仍无效，则在表面外做一层封闭外壳。消息中会说明做了什么。</translation>
+    </message>
+    <message>
+        <source>Or mend the mesh in the program that made it and write the file again; then read it again here. What was open before is as it was.</source>
+        <translation>或者在生成该网格的程序中修补并重新写出文件，然后在此重新读取。之前打开的内容保持不变。</translation>
+    </message>
 </context>
 <context>
     <name>ChosenFeatures</name>
@@ -6506,6 +6514,25 @@ Open items: %1.</source>
     <message>
         <source>mixed</source>
         <translation>不一</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::PinOffers</name>
+    <message>
+        <source>Looking for pins</source>
+        <translation>寻找固定点</translation>
+    </message>
+    <message>
+        <source>Take a suggested pin</source>
+        <translation>采用建议的固定点</translation>
+    </message>
+    <message>
+        <source>Pin the ends of limbs</source>
+        <translation>固定肢端</translation>
+    </message>
+    <message>
+        <source>Take suggested pins</source>
+        <translation>采用建议的固定点</translation>
     </message>
 </context>
 </TS>

@@ -117,25 +117,54 @@ scene::PanelContent importanceLegend(const Workbench& bench, const ShownSurface&
     return legend;
 }
 
-std::vector<scene::Chip> regionChips(const Workbench& bench, const ShownSurface& surface,
-                                     const Visibility& visible, const QString& selected) {
-    std::vector<scene::Chip> chips;
+std::vector<RegionPlace> regionPlaces(const Workbench& bench, const ShownSurface& surface,
+                                      const Visibility& visible) {
+    std::vector<RegionPlace> places;
     const auto origins = originsOf(bench, surface);
     if (!visible.importance || !(origins || isPart(bench, surface)))
-        return chips;
-    const IndexedMesh& part = *bench.project().part;
+        return places;
     const std::vector<ImportantRegion>& regions = bench.project().importance;
     for (int i = 0; i < static_cast<int>(regions.size()); ++i) {
         const ImportantRegion& region = regions[static_cast<std::size_t>(i)];
         if (region.faces.empty() || !visible.shows(regionId(i)))
             continue;
-        const bool chosen = std::ranges::binary_search(regionNumbers(selected), i);
-        const int middle = middleFace(region, part);
-        const int shown = origins ? origins->faceFrom(middle) : middle;
-        if (shown < 0)
+        const int middle = middleFace(region, *bench.project().part);
+        if (const int shown = origins ? origins->faceFrom(middle) : middle; shown >= 0)
+            places.push_back({i, middleOf(*surface.drawn->mesh, shown)});
+    }
+    return places;
+}
+
+int regionAt(const Workbench& bench, const ShownSurface& surface, const Visibility& visible, int face) {
+    const auto origins = originsOf(bench, surface);
+    if (!visible.importance || !(origins || isPart(bench, surface)))
+        return -1;
+    const int source = origins ? origins->faces()[static_cast<std::size_t>(face)] : face;
+    int found = -1;
+    double most = 0;
+    const std::vector<ImportantRegion>& regions = bench.project().importance;
+    for (int i = 0; i < static_cast<int>(regions.size()); ++i) {
+        const ImportantRegion& region = regions[static_cast<std::size_t>(i)];
+        const auto at = std::ranges::lower_bound(region.faces, source);
+        if (at == region.faces.end() || *at != source || !visible.shows(regionId(i)))
             continue;
+        const double weight = region.weights[static_cast<std::size_t>(at - region.faces.begin())];
+        if (weight > most) {
+            most = weight;
+            found = i;
+        }
+    }
+    return found;
+}
+
+std::vector<scene::Chip> regionChips(const Workbench& bench, const ShownSurface& surface,
+                                     const Visibility& visible, const QString& selected) {
+    std::vector<scene::Chip> chips;
+    for (const auto& [i, place] : regionPlaces(bench, surface, visible)) {
+        const ImportantRegion& region = bench.project().importance[static_cast<std::size_t>(i)];
+        const bool chosen = std::ranges::binary_search(regionNumbers(selected), i);
         chips.push_back(
-            {middleOf(*surface.drawn->mesh, shown),
+            {place,
              {{},
               {{std::nullopt,
                 {{region.name, scene::Ink::Text, chosen}, {weightText(heaviest(region)).toStdString()}},

@@ -22,6 +22,7 @@
 #include "window/mold_placing.h"
 #include "window/obstruction_words.h"
 #include "window/paint_tool.h"
+#include "window/pin_offers.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/property_pages.h"
@@ -225,9 +226,9 @@ std::set<Needs> MainWindow::given() const {
     add(Needs::EditablePart, part && editable);
     add(Needs::EditablePlane, plane && editable);
     add(Needs::SuggestedPlane, idle && m_bench.suggestedPlane().has_value());
-    add(Needs::SuggestedPins, editable && !m_bench.suggestionsInView().empty());
+    add(Needs::SuggestedPins, editable && !m_bench.pinOffers().inView().empty());
     add(Needs::SuggestedTips,
-        editable && std::ranges::count(m_bench.suggestionsInView(), PinKind::Tip, &SuggestedPin::kind) > 0);
+        editable && std::ranges::count(m_bench.pinOffers().inView(), PinKind::Tip, &SuggestedPin::kind) > 0);
     add(Needs::Pins, editable && !project.pins.empty());
     const bool variant = idle && variantNumber(m_selected) >= 0;
     add(Needs::ChosenGuide,
@@ -297,9 +298,10 @@ void MainWindow::refreshHint() {
         return; // it tells how far it is
     const QString keys = tr("<b>?</b> shows all keys.");
     if (m_bench.refused())
-        m_hint->setText(tr("<b>F3</b> goes from place to place, <b>F5</b> reads the file again, <b>Esc</b> "
-                           "goes back to what was open. %1")
-                            .arg(keys));
+        m_hint->setText(
+            tr("<b>F3</b> goes from place to place, <b>Ctrl+R</b> repairs the mesh, <b>F5</b> reads the "
+               "file again, <b>Esc</b> goes back to what was open. %1")
+                .arg(keys));
     else if (!m_bench.project().part)
         m_hint->setText(tr("Open a part, drop one here, or choose a sample. %1").arg(keys));
     else if (m_tool != Tool::None)

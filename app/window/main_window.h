@@ -240,7 +240,8 @@ private:
     void select(const QString& id);
     /// Clicked or boxed rows go into what is chosen.
     void choose(const QStringList& ids, Qt::KeyboardModifiers keys);
-    void serveBoxes(ViewPane& pane);
+    void serveChoosing(ViewPane& pane);
+    [[nodiscard]] bool regionsShown(const ViewPane& pane) const;
     void removeChosen();
     void fitSelection();
     void chooseStep(int step);

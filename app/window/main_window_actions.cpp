@@ -20,6 +20,7 @@
 #include "window/importance_pages.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
+#include "window/pin_offers.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
 #include "window/preferences_dialog.h"
@@ -215,7 +216,7 @@ void MainWindow::connectBench() {
     });
     connect(&m_bench, &Workbench::obstructed, this, [this] { select(obstructionId(0)); });
     connect(&m_bench, &Workbench::planesFound, this, [this] { select(u"plane"_s); });
-    connect(&m_bench, &Workbench::pinsSuggested, this, [this] {
+    connect(&m_bench.pinOffers(), &PinOffers::found, this, [this] {
         if (!pinsChosen(m_selected))
             select(u"pins"_s);
     });
@@ -228,9 +229,11 @@ void MainWindow::connectBench() {
         select(u"mold"_s);
         refresh();
         // From beside the parting plane and a little from half 1's side: one looks into half 2's cavity.
-        const scene::PlaneRectangle plane = m_view->scene().rectangle();
-        m_view->lookFrom(plane.u + 0.55 * m_bench.project().state->plane.normal +
+        scene::Scene& scene = m_view->scene();
+        scene.setOpening(1); // all of it is to be in sight once it is open
+        m_view->lookFrom(scene.rectangle().u + 0.55 * m_bench.project().state->plane.normal +
                          0.45 * Eigen::Vector3d::UnitZ());
+        scene.setOpening(m_viewBar->opening());
         m_viewBar->easeOpening(1);
     });
 }

@@ -30,6 +30,7 @@ void MainWindow::connectRefusal() {
             m_bench.leaveRefused();
     });
     m_actions.on(u"read-again"_s, [this] { openPath(m_bench.refused()->file); });
+    m_actions.on(u"repair-mesh"_s, [this] { leaving([this] { m_bench.repairRefused(); }); });
     m_actions.on(u"leave-refused"_s, [this] { m_bench.leaveRefused(); });
     m_actions.on(u"next-fault"_s, [this] { showNextFault(); });
     m_actions.on(u"copy-diagnosis"_s,
@@ -50,8 +51,8 @@ void MainWindow::enterRefusal() {
     const RefusedMesh& refused = *m_bench.refused();
     const auto [headline, rest] = headAndRest(sentence(refused.part.faults.front().message));
     const bool somewhere = listedFaults(refused) > 0;
-    advise({Standing::Failing, headline, rest, somewhere ? u"next-fault"_s : u"read-again"_s,
-            somewhere ? u"read-again"_s : QString()});
+    advise(
+        {Standing::Failing, headline, rest, u"repair-mesh"_s, somewhere ? u"next-fault"_s : u"read-again"_s});
     refresh();
     m_view->setFocus();
 }

@@ -10,6 +10,7 @@
 #include "window/importance_pages.h"
 #include "window/measure_tool.h"
 #include "window/paint_tool.h"
+#include "window/pin_offers.h"
 #include "window/pin_pages.h"
 #include "window/variant_pages.h"
 #include "window/view_area.h"
@@ -171,8 +172,8 @@ void MainWindow::servePins(ViewPane& pane) {
         m_bench.document().endPreview();
     });
     connect(view, &PartView::lassoDrawn, this, [this](const scene::Lasso& lasso) {
-        if (m_tool == Tool::AcceptLasso && m_bench.editable())
-            m_bench.acceptSuggestionsIn(lasso);
+        if (m_tool == Tool::AcceptLasso && m_bench.editable() && !m_bench.pinOffers().acceptIn(lasso))
+            m_bench.say(Standing::Info, tr("No suggested point is seen inside the lasso."));
     });
     connect(view, &PartView::pinPlaced, this, [this](const Eigen::Vector3d& place) {
         if (!m_bench.editable())
@@ -184,7 +185,7 @@ void MainWindow::servePins(ViewPane& pane) {
         if (!pin.suggested)
             choose({pinId(pin.number)}, keys);
         else if (m_bench.editable())
-            m_bench.acceptSuggestion(pin.number);
+            m_bench.pinOffers().accept(pin.number);
     });
 }
 
@@ -213,8 +214,8 @@ void MainWindow::snapPlane(const PartingPlane& plane) {
 }
 
 void MainWindow::connectPinActions() {
-    m_actions.on(u"suggest-pins"_s, [this] { m_bench.suggestPins(); });
-    m_actions.on(u"accept-tips"_s, [this] { m_bench.acceptTips(); });
+    m_actions.on(u"suggest-pins"_s, [this] { m_bench.pinOffers().search(); });
+    m_actions.on(u"accept-tips"_s, [this] { m_bench.pinOffers().acceptTips(); });
     m_actions.on(u"remove-guide"_s, [this] { removeChosen(); });
     m_actions.on(u"clear-pins"_s, [this] { m_bench.clearPins(); });
     m_actions.on(u"import-pins"_s, [this] { choosePinsToImport(); });

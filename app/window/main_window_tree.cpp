@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The project's tree: what its rows do, and their menus.
+// What is chosen, in the project's tree and in the views; what the tree's rows do, and their menus.
 #include "window/main_window.h"
 
 #include "panels/project_tree.h"
 #include "view/part_view.h"
 #include "window/importance_pages.h"
+#include "window/importance_paint.h"
 #include "window/mold_feature_pages.h"
 #include "window/mold_placing.h"
 #include "window/pin_pages.h"
@@ -101,10 +102,23 @@ void MainWindow::removeChosen() {
     select(regions.empty() ? u"pins"_s : allRegionsId());
 }
 
-void MainWindow::serveBoxes(ViewPane& pane) {
+/// Regions can be taken hold of where they are seen.
+bool MainWindow::regionsShown(const ViewPane& pane) const {
+    return regionsChosen(m_selected) || pane.settings().mode == DisplayMode::Importance;
+}
+
+void MainWindow::serveChoosing(ViewPane& pane) {
     PartView* view = &pane.view();
+    connect(view, &PartView::surfaceClicked, this,
+            [this, &pane](const scene::SurfacePicker::Hit& hit, Qt::KeyboardModifiers keys) {
+                const ShownSurface surface = m_bench.surface(pane.settings().content);
+                if (!regionsShown(pane) || !surface.picker || surface.picker->mesh() != surface.drawn->mesh)
+                    return;
+                if (const int region = regionAt(m_bench, surface, m_visible, hit.face); region >= 0)
+                    choose({regionId(region)}, keys);
+            });
     connect(view, &PartView::boxDrawn, this,
-            [this, view](const scene::Lasso& box, Qt::KeyboardModifiers keys) {
+            [this, &pane, view](const scene::Lasso& box, Qt::KeyboardModifiers keys) {
                 const auto inBox = [&](const Eigen::Vector3d& place) {
                     return scene::isInside(box.line, box.camera.project(place, box.view).head<2>());
                 };
@@ -117,6 +131,11 @@ void MainWindow::serveBoxes(ViewPane& pane) {
                 for (std::size_t i = 0; i < std::min(rows.size(), features.size()); ++i)
                     if (std::ranges::any_of(features[i].places, inBox))
                         ids << featureId(rows[i].stands.kind, rows[i].stands.number);
+                if (regionsShown(pane))
+                    for (const auto& [region, place] :
+                         regionPlaces(m_bench, m_bench.surface(pane.settings().content), m_visible))
+                        if (inBox(place))
+                            ids << regionId(region);
                 choose(ids, keys);
             });
 }

@@ -92,7 +92,7 @@ void MainWindow::connectPane(ViewPane& pane) {
     m_measure->serve(pane);
     serveTools(pane);
     serveFeatures(pane);
-    serveBoxes(pane);
+    serveChoosing(pane);
     PartView* view = &pane.view();
     view->setNavigation(scene::navigationScheme(preferences::navigation().toStdString()));
     view->scene().setLook(theme().scene, view->devicePixelRatioF());

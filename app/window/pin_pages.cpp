@@ -5,6 +5,7 @@
 #include "theme/theme.h"
 #include "window/action_table.h"
 #include "window/common_value.h"
+#include "window/pin_offers.h"
 #include "window/presentation.h"
 #include "window/row_id.h"
 #include "window/workbench.h"
@@ -55,7 +56,7 @@ int farthestOf(const Workbench& bench, const std::vector<int>& numbers) {
 
 PropertySection suggestedSection(const Workbench& bench, const Actions& actions) {
     PropertySection section{Words::tr("Suggested"), {}, {}, false};
-    if (!bench.suggestionsKnown()) {
+    if (!bench.pinOffers().known()) {
         section.notes = {Words::tr("Ends of limbs, where limbs meet, and points along the body.")};
         section.buttons = {actions[u"suggest-pins"_s]};
         return section;
@@ -63,8 +64,8 @@ PropertySection suggestedSection(const Workbench& bench, const Actions& actions)
     section.rows = {Property{u"pin-count"_s, Words::tr("Shown at most"),
                              Words::tr("The best ones at this plane; those taken are no longer shown."),
                              NumberProperty{{},
-                                            static_cast<double>(Workbench::fewestSuggestedPins),
-                                            static_cast<double>(Workbench::mostSuggestedPins),
+                                            static_cast<double>(PinOffers::fewest),
+                                            static_cast<double>(PinOffers::most),
                                             1,
                                             0,
                                             true}},
@@ -97,7 +98,7 @@ PropertyPage allPage(const Workbench& bench, const Actions& actions) {
                       Words::tr("Pins"),
                       Words::tr("Hold points of the part on the parting plane."),
                       {}};
-    page.layout = u"%1 %2"_s.arg(bench.suggestionsKnown()).arg(pinNames(bench).join(u'\n'));
+    page.layout = u"%1 %2"_s.arg(bench.pinOffers().known()).arg(pinNames(bench).join(u'\n'));
     PropertySection set{Words::tr("Set by hand"), {}, {actions[u"pin"_s], actions[u"pin-inside"_s]}, true};
     if (bench.project().pins.empty())
         set.notes = {Words::tr("No pins yet. Where limbs curl, pins at their ends unroll them.")};
@@ -151,12 +152,12 @@ void addPinRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Vis
                         .value = wayText(bench, i),
                         .visible = visible.shows(pinId(i)),
                         .renamable = true});
-    if (bench.suggestionsKnown())
+    if (bench.pinOffers().known())
         rows.push_back({.id = suggestedId,
                         .parent = parent,
                         .iconName = u"pin"_s,
                         .name = Words::tr("Suggested pins"),
-                        .value = QString::number(bench.suggestionsInView().size()),
+                        .value = QString::number(bench.pinOffers().inView().size()),
                         .visible = visible.suggestedPins});
 }
 
@@ -195,8 +196,8 @@ void fillPinPage(PropertyPanel& panel, const Workbench& bench) {
         reading(u"pin-farthest"_s, pins.empty() ? u"–"_s : wayText(bench, farthestOf(bench, all)));
         for (int i = 0; i < static_cast<int>(pins.size()); ++i)
             reading(wayPrefix + QString::number(i), wayText(bench, i));
-        panel.setValue(u"pin-count"_s, bench.suggestionCount());
-        const std::vector<SuggestedPin> suggested = bench.suggestionsInView();
+        panel.setValue(u"pin-count"_s, bench.pinOffers().count());
+        const std::vector<SuggestedPin> suggested = bench.pinOffers().inView();
         reading(u"pin-tips"_s,
                 QString::number(std::ranges::count(suggested, PinKind::Tip, &SuggestedPin::kind)));
         return;
@@ -213,7 +214,7 @@ void fillPinPage(PropertyPanel& panel, const Workbench& bench) {
 
 bool applyPinValue(Workbench& bench, const QString& id, const QString& page, double value, bool preview) {
     if (id == u"pin-count"_s) {
-        bench.setSuggestionCount(static_cast<int>(std::lround(value)));
+        bench.pinOffers().setCount(static_cast<int>(std::lround(value)));
         return true;
     }
     const std::vector<int> numbers = pinNumbers(page);
@@ -249,7 +250,7 @@ scene::ShownPins shownPins(const Workbench& bench, const QString& selected, bool
         shown.pins.push_back(it);
     }
     if (suggested)
-        for (const SuggestedPin& pin : bench.suggestionsInView())
+        for (const SuggestedPin& pin : bench.pinOffers().inView())
             shown.suggested.push_back(pin.point);
     return shown;
 }

@@ -14,6 +14,11 @@ std::vector<ActionSpec> ActionMenus::file() {
          QT_TR_NOOP(
              "Read the mesh that cannot be used once more, after it was mended in the program that made it."),
          Needs::Refused},
+        {"repair-mesh", QT_TR_NOOP("Re&pair the mesh"), "finish", "Ctrl+R",
+         QT_TR_NOOP(
+             "Mend what is wrong with the mesh, or make a closed skin about it, and open that. The file "
+             "stays as it is."),
+         Needs::Refused},
         {"leave-refused", QT_TR_NOOP("&Back to what was open"), "restore", "",
          QT_TR_NOOP("Leave the mesh that cannot be used; what was open before comes back. Esc does so too."),
          Needs::Refused},

@@ -91,13 +91,17 @@ Property reading(const QString& id, const QString& label) {
 }
 
 PropertySection waysOut(const Actions& actions) {
-    return {Words::tr("Ways out"),
-            {},
-            {actions[u"read-again"_s], actions[u"next-fault"_s], actions[u"open"_s],
-             actions[u"copy-diagnosis"_s], actions[u"leave-refused"_s]},
-            true,
-            {Words::tr("Mend the mesh in the program that made it and write the file again; then read it "
-                       "again here. What was open before is as it was.")}};
+    return {
+        Words::tr("Ways out"),
+        {},
+        {actions[u"repair-mesh"_s], actions[u"next-fault"_s], actions[u"read-again"_s], actions[u"open"_s],
+         actions[u"copy-diagnosis"_s], actions[u"leave-refused"_s]},
+        true,
+        {Words::tr("Repair fills holes, splits and drops what too many faces share, and makes faces anew "
+                   "where they cross; where that does not help, a closed skin about the surface. Messages "
+                   "tell what was done."),
+         Words::tr("Or mend the mesh in the program that made it and write the file again; then read it "
+                   "again here. What was open before is as it was.")}};
 }
 
 PropertyPage faultPage(int number, const RefusedMesh& refused, const Actions& actions) {

@@ -5,6 +5,7 @@
 #include "project/edits.h"
 #include "project/placing.h"
 #include "window/mold_placing.h"
+#include "window/pin_offers.h"
 #include "window/sentence.h"
 
 namespace moldwright {
@@ -28,7 +29,9 @@ bool stateWaits(const LiveSettings& told, const LiveSettings& heard) {
 
 } // namespace
 
-Workbench::Workbench(QObject* parent) : QObject(parent), m_placing(new MoldPlacing(m_document, this)) {
+Workbench::Workbench(QObject* parent)
+    : QObject(parent), m_placing(new MoldPlacing(m_document, this)),
+      m_pinOffers(new PinOffers(m_document, m_background, this)) {
     connect(&m_document, &Document::changed, this, [this] {
         postLive();
         forgetKept();
@@ -36,12 +39,18 @@ Workbench::Workbench(QObject* parent) : QObject(parent), m_placing(new MoldPlaci
         askAnalysis();
         askPart();
         forgetOldMaps();
-        askRanks();
+        m_pinOffers->follow();
         m_placing->follow();
         Q_EMIT changed();
     });
     connect(m_placing, &MoldPlacing::changed, this, &Workbench::changed);
-    connect(&m_ranks, &LiveRanks::answered, this, &Workbench::takeRanks);
+    connect(m_pinOffers, &PinOffers::changed, this, &Workbench::changed);
+    connect(m_pinOffers, &PinOffers::failed, this,
+            [this](const Error& error) { complain(error, tr("Looking for pins")); });
+    connect(m_pinOffers, &PinOffers::found, this, [this] {
+        say(Standing::Done,
+            tr("%1 pins are suggested. Click a faint ring to take one.").arg(m_pinOffers->inView().size()));
+    });
     connect(&m_liveFrames, &LiveFrames::answered, this, &Workbench::takeKept);
     connect(&m_origins, &LiveOrigins::answered, this, &Workbench::changed);
     connect(&m_document, &Document::historyChanged, this, &Workbench::changed);

@@ -18,7 +18,6 @@
 #include "window/live_frames.h"
 #include "window/live_maps.h"
 #include "window/live_origins.h"
-#include "window/live_ranks.h"
 #include "window/mesh_figures.h"
 #include "window/opened_mesh.h"
 #include "window/plane_offers.h"
@@ -40,6 +39,7 @@
 namespace moldwright {
 
 class MoldPlacing;
+class PinOffers;
 struct RefusedMesh;
 
 /// Everything the window works on: the document, what is derived from it, and the jobs that change it. It
@@ -149,6 +149,8 @@ public:
     /// A mesh that cannot be designed with, in view before the document until it is left; null for none.
     [[nodiscard]] const RefusedMesh* refused() const { return m_refused.get(); }
     void leaveRefused();
+    /// Has it mended, or a closed skin made about it, and opens that as a part of the same name.
+    void repairRefused();
     void openFile(const QString& file);
     void openSample(const QString& file, const QString& name);
     void take(const OpenedMesh& opened, Unit unit, double scale);
@@ -217,19 +219,9 @@ public:
     /// Pins from and to the JSON that the command line takes.
     void importPins(const QString& file);
     void exportPins(const QString& file);
-    /// Looks for points worth pinning; suggestionsInView() has them then.
-    void suggestPins();
-    [[nodiscard]] bool suggestionsKnown() const;
-    static constexpr int fewestSuggestedPins = 20, mostSuggestedPins = 60;
-    [[nodiscard]] int suggestionCount() const { return m_suggestionCount; }
-    void setSuggestionCount(int count);
-    /// The best suggestionCount() at the plane, best first, without those taken.
-    [[nodiscard]] std::vector<SuggestedPin> suggestionsInView() const;
-    void acceptSuggestion(int suggestion);
-    /// Takes all in view that are ends of limbs.
-    void acceptTips();
-    /// Takes all in view that lie inside the lasso, in one step.
-    void acceptSuggestionsIn(const scene::Lasso& lasso);
+    /// Points worth pinning, and those of them that are taken.
+    [[nodiscard]] PinOffers& pinOffers() { return *m_pinOffers; }
+    [[nodiscard]] const PinOffers& pinOffers() const { return *m_pinOffers; }
 
     // Importance
     /// The regions with one more stroke over `faces` of the part (ascending) are shown, without a step; see
@@ -299,7 +291,6 @@ Q_SIGNALS:
     void obstructed();
     void undercutsFound();
     void planesFound();
-    void pinsSuggested();
     void moldBuilt();
     void saved();
     void reportWritten(const QString& file);
@@ -330,14 +321,11 @@ private:
                       const QString& done);
     void exportGuides(const QString& file, const std::string& text, const QString& done);
     void setPins(std::vector<NamedPin> pins, const QString& words, const QString& mergeKey = {});
-    bool acceptWhere(const std::function<bool(const SuggestedPin&)>& wanted, const QString& words);
     [[nodiscard]] Project painted(int region, const std::vector<int>& faces, bool erase) const;
     [[nodiscard]] QString newRegionName() const;
     void editRegions(const std::vector<int>& numbers, const QString& words, const QString& mergeKey,
                      bool preview, const std::function<void(ImportantRegion&)>& change);
     void tellOfRegions();
-    void askRanks();
-    void takeRanks(const RankRequest& request, const std::shared_ptr<const PinSuggestions>& ranked);
     void askAnalysis();
     void askPart();
     void forgetOldMaps();
@@ -351,6 +339,7 @@ private:
     Document m_document;
     MoldPlacing* m_placing; ///< a child
     Background m_background;
+    PinOffers* m_pinOffers; ///< a child
     LiveAnalysis m_analysis;
     AnalysisRequest m_analysisAsked; ///< the last request, but for its labels
     MessageModel m_messages;
@@ -386,12 +375,6 @@ private:
     SharedMesh m_obstructedPart;
     std::optional<MoldState> m_obstructedState;
     KnownUndercuts m_undercuts;
-    LiveRanks m_ranks;
-    std::shared_ptr<const PinSuggestions> m_suggested;  ///< as found
-    std::shared_ptr<const PinSuggestions> m_rankedPins; ///< the same, ranked as answered last
-    SharedMesh m_suggestedPart;
-    std::optional<RankRequest> m_ranked; ///< the last one asked
-    int m_suggestionCount = 40;
     std::optional<double> m_brushRadius; ///< mm; none: by the part's size
     double m_creaseDegrees = 30;
     std::map<std::string, BuiltMold> m_molds; ///< by the variant's name

@@ -2,6 +2,7 @@
 // Opening, closing and exporting.
 #include "window/workbench.h"
 
+#include "exchange/repair_mesh.h"
 #include "mold/mold_files.h"
 #include "project/edits.h"
 #include "project/project_file.h"
@@ -69,7 +70,6 @@ void Workbench::forgetOldPart() {
     m_refused.reset();
     m_offered.clear();
     m_offeredPart.reset();
-    m_suggestedPart.reset();
     m_progress.clear();
     m_molds.clear();
     m_variants.compareWith({});
@@ -141,6 +141,23 @@ void Workbench::leaveRefused() {
     Q_EMIT changed();
 }
 
+void Workbench::repairRefused() {
+    const std::shared_ptr<const RefusedMesh> refused = m_refused;
+    m_background.start(tr("Repairing %1").arg(refused->name),
+                       [=, this](const Task& task) -> Background::Finish {
+                           Result<RepairedMesh> repaired =
+                               repairMesh(*refused->drawn->mesh, refused->name.toStdString(), task);
+                           if (!repaired)
+                               return [=, this] { complain(repaired.error(), tr("Repairing")); };
+                           std::vector<Message> repairs = refused->part.repairs;
+                           repairs.insert(repairs.end(), repaired->repairs.begin(), repaired->repairs.end());
+                           const OpenedMesh opened{QFileInfo(refused->file).completeBaseName(),
+                                                   refused->file,
+                                                   {std::move(repaired->mesh), std::move(repairs), {}}};
+                           return [=, this] { Q_EMIT unitAsked(opened); };
+                       });
+}
+
 void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
     const auto source = std::make_shared<const IndexedMesh>(opened.prepared.mesh);
     const Project from = project().part ? m_document.committed() : freshProject();
@@ -156,6 +173,9 @@ void Workbench::take(const OpenedMesh& opened, Unit unit, double scale) {
                             .arg(size.x(), 0, 'f', 1)
                             .arg(size.y(), 0, 'f', 1)
                             .arg(size.z(), 0, 'f', 1));
+    for (const std::vector<Message>& told : {opened.prepared.repairs, opened.prepared.notes})
+        for (const Message& what : told)
+            say(Standing::Info, sentence(what));
 }
 
 void Workbench::openLost(const Project& project) {

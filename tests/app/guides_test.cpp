@@ -16,6 +16,7 @@
 #include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
+#include "window/pin_offers.h"
 #include "window/presentation.h"
 #include "window/row_commands.h"
 
@@ -335,7 +336,7 @@ TEST(Pins, AreSuggestedTakenByClickRankedAtThePlaneAndKeptInFiles) {
     driver.press("Ctrl+3");
     driver.press("Ctrl+G");
     ASSERT_TRUE(driver.waitIdle());
-    const auto suggested = driver.bench().suggestionsInView();
+    const auto suggested = driver.bench().pinOffers().inView();
     ASSERT_GE(suggested.size(), 20U);
     ASSERT_LE(suggested.size(), 40U);
     driver.shot("34-suggested-pins");
@@ -343,7 +344,7 @@ TEST(Pins, AreSuggestedTakenByClickRankedAtThePlaneAndKeptInFiles) {
     // Another plane ranks them anew.
     driver.press("Shift+X");
     ASSERT_TRUE(driver.waitFor([&] {
-        const auto now = driver.bench().suggestionsInView();
+        const auto now = driver.bench().pinOffers().inView();
         return !std::ranges::equal(now, suggested, {}, &SuggestedPin::gain, &SuggestedPin::gain);
     }));
     driver.press("Ctrl+3");
@@ -353,17 +354,17 @@ TEST(Pins, AreSuggestedTakenByClickRankedAtThePlaneAndKeptInFiles) {
     ASSERT_TRUE(slider);
     slider->setFocus();
     driver.press("Home");
-    EXPECT_EQ(driver.bench().suggestionCount(), 20);
-    EXPECT_LE(driver.bench().suggestionsInView().size(), 20U);
+    EXPECT_EQ(driver.bench().pinOffers().count(), 20);
+    EXPECT_LE(driver.bench().pinOffers().inView().size(), 20U);
 
-    const auto inView = driver.bench().suggestionsInView();
+    const auto inView = driver.bench().pinOffers().inView();
     clickAt(driver, inView[0].point);
     ASSERT_EQ(pins(driver).size(), 1U);
     EXPECT_TRUE(std::ranges::count(inView, pins(driver)[0].point, &SuggestedPin::point) == 1);
-    EXPECT_EQ(driver.bench().suggestionsInView().size(), inView.size() - 1);
+    EXPECT_EQ(driver.bench().pinOffers().inView().size(), inView.size() - 1);
 
     const auto tips =
-        std::ranges::count(driver.bench().suggestionsInView(), PinKind::Tip, &SuggestedPin::kind);
+        std::ranges::count(driver.bench().pinOffers().inView(), PinKind::Tip, &SuggestedPin::kind);
     ASSERT_GT(tips, 1);
     driver.press("Ctrl+Shift+G");
     EXPECT_EQ(pins(driver).size(), 1U + static_cast<std::size_t>(tips));
@@ -391,7 +392,7 @@ TEST(Pins, AreAcceptedInALasso) {
     driver.press("Ctrl+3");
     driver.press("Ctrl+G");
     ASSERT_TRUE(driver.waitIdle());
-    const auto suggested = driver.bench().suggestionsInView();
+    const auto suggested = driver.bench().pinOffers().inView();
     ASSERT_GE(suggested.size(), 20U);
     const std::size_t steps = driver.bench().document().history().steps().size();
     PartView& view = driver.window().view();
@@ -435,7 +436,7 @@ TEST(Pins, ARunDrawsThemIntoThePlane) {
     ASSERT_TRUE(driver.waitIdle());
     // Two that need not go far: pins that would draw the part through itself are refused.
     const PartingPlane plane = driver.bench().project().state->plane;
-    std::vector<SuggestedPin> near = driver.bench().suggestionsInView();
+    std::vector<SuggestedPin> near = driver.bench().pinOffers().inView();
     std::ranges::sort(near, {}, [&](const SuggestedPin& pin) { return std::abs(plane.distance(pin.point)); });
     ASSERT_GE(near.size(), 2U);
     clickAt(driver, near[0].point);

@@ -4,6 +4,7 @@
 #include "app/window_driver.h"
 
 #include "exchange/mesh_file.h"
+#include "mesh/measures.h"
 #include "panels/banner.h"
 #include "panels/project_tree.h"
 #include "support/folders.h"
@@ -99,7 +100,7 @@ TEST(Refusal, AMeshWithHolesIsShownWithThemAndWhatWasThereComesBack) {
 
     // From place to place: by the banner's button, then by key.
     auto& tree = *driver.window().findChild<ProjectTree*>();
-    driver.click("banner-action");
+    driver.click("banner-action-2");
     EXPECT_EQ(tree.selectedId(), QStringLiteral("fault-0"));
     ASSERT_TRUE(driver.waitFor([&] { return view.camera().focus.x() < 31; }));
     driver.shot("14-error-place");
@@ -160,6 +161,47 @@ TEST(Refusal, ReadAgainTakesTheFileOnceItIsMended) {
     EXPECT_EQ(driver.bench().refused(), nullptr);
     ASSERT_TRUE(driver.waitIdle());
     EXPECT_FALSE(banner(driver).isVisible());
+}
+
+TEST(Refusal, RepairOpensAMendedPartAndTellsWhatWasDone) {
+    WindowDriver driver;
+    const test::ScratchFolder folder;
+    ASSERT_TRUE(openRefused(driver, written(folder, "holed.ply", withTwoHoles())));
+    driver.press("Ctrl+R");
+    QWidget* open = nullptr;
+    ASSERT_TRUE(driver.waitFor([&] {
+        open = driver.window().findChild<QWidget*>(QStringLiteral("import-open"));
+        return open && open->isVisible();
+    }));
+    driver.click("import-open");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().project().part != nullptr; }));
+    ASSERT_TRUE(driver.waitIdle());
+    EXPECT_EQ(driver.bench().refused(), nullptr);
+    EXPECT_FALSE(banner(driver).isVisible());
+    EXPECT_EQ(driver.bench().project().name, "holed");
+    const IndexedMesh whole =
+        test::together(test::box({0, 0, 0}, {30, 20, 20}), test::sphere({50, 10, 10}, 10, 3));
+    EXPECT_NEAR(volume(*driver.bench().project().part), volume(whole), 1e-3 * volume(whole));
+    QStringList told;
+    for (int row = 0; row < driver.bench().messages()->rowCount(); ++row)
+        told << driver.bench().messages()->at(row).text;
+    EXPECT_TRUE(told.join(u' ').contains(QStringLiteral("2 holes were filled")))
+        << told.join(u'\n').toStdString();
+    driver.shot("14-error-repaired");
+}
+
+TEST(Refusal, WhatCannotBeRepairedStaysInViewWithTheReason) {
+    WindowDriver driver;
+    const test::ScratchFolder folder;
+    IndexedMesh sheet = test::box({0, 0, 0}, {30, 20, 20});
+    sheet.F = sheet.F.topRows(1).eval();
+    ASSERT_TRUE(openRefused(driver, written(folder, "sheet.ply", sheet)));
+    driver.press("Ctrl+R");
+    ASSERT_TRUE(driver.waitFor(
+        [&] { return banner(driver).headline().contains(QStringLiteral("cannot be repaired")); }));
+    EXPECT_NE(driver.bench().refused(), nullptr);
+    EXPECT_EQ(driver.bench().project().part, nullptr);
+    driver.shot("14-error-beyond-repair");
 }
 
 TEST(Refusal, AFileThatIsNoMeshIsToldWithoutADialog) {

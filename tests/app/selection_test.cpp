@@ -231,6 +231,54 @@ TEST(Choosing, SeveralRegionsInTheTreeTakeOneWeightAndGoTogether) {
     EXPECT_EQ(driver.window().findChild<ProjectTree*>()->selectionModel()->selectedRows().size(), 1);
 }
 
+TEST(Choosing, RegionsAreTakenInTheViewByClickAndBox) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.window().actions()[u"front"_s]->trigger();
+    const IndexedMesh& part = *driver.bench().project().part;
+    const Eigen::AlignedBox3d box = driver.bench().figures(driver.bench().project().part).box;
+    const auto middle = [&](int f) -> Eigen::Vector3d {
+        return (part.corner(f, 0) + part.corner(f, 1) + part.corner(f, 2)) / 3;
+    };
+    // A quarter of the part at the left and one at the right; what is nearest in each, seen from the front.
+    std::vector<ImportantRegion> regions{{"Left", {}, {}, 0}, {"Right", {}, {}, 0}};
+    std::array<int, 2> nearest{-1, -1};
+    for (int f = 0; f < part.faceCount(); ++f) {
+        const double across = (middle(f).x() - box.min().x()) / box.sizes().x();
+        if (across > 0.25 && across < 0.75)
+            continue;
+        const std::size_t side = across < 0.5 ? 0 : 1;
+        regions[side].faces.push_back(f);
+        regions[side].weights.push_back(4);
+        if (nearest[side] < 0 || middle(f).y() < middle(nearest[side]).y())
+            nearest[side] = f;
+    }
+    driver.bench().document().edit(u"Regions"_s,
+                                   withImportance(driver.bench().document().committed(), regions));
+    ASSERT_TRUE(driver.waitIdle());
+    QTest::qWait(500);
+    const auto clickAt = [&](const Eigen::Vector3d& place, Qt::KeyboardModifiers keys) {
+        QTest::mouseClick(&view(driver), Qt::LeftButton, keys, view(driver).pixelOf(place));
+        QTest::qWait(60);
+    };
+    driver.selectRow("part");
+    clickAt(middle(nearest[0]), {});
+    EXPECT_EQ(page(driver), u"part"_s) << "regions are not in view";
+    driver.selectRow("importance");
+    clickAt(middle(nearest[0]), {});
+    EXPECT_EQ(page(driver), u"region-0"_s);
+    clickAt(middle(nearest[1]), {});
+    EXPECT_EQ(page(driver), u"region-1"_s);
+    clickAt(middle(nearest[0]), Qt::ControlModifier);
+    EXPECT_EQ(page(driver), u"region-1 region-0"_s);
+    clickAt(box.center() - Eigen::Vector3d(0, box.sizes().y() / 2, 0), {});
+    EXPECT_EQ(page(driver), u"region-1 region-0"_s) << "no region there";
+    driver.shot("41-regions-in-view");
+    driver.selectRow("importance");
+    drawBox(driver, {8, 60}, {view(driver).width() - 8, view(driver).height() - 40});
+    EXPECT_EQ(chosenIds(page(driver)).size(), 2);
+}
+
 TEST(Choosing, SeveralFeaturesAreGivenBackInOneStep) {
     WindowDriver driver;
     ASSERT_TRUE(driver.openSample("praline"));

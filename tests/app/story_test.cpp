@@ -10,6 +10,7 @@
 #include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
+#include "window/pin_offers.h"
 
 #include <QApplication>
 #include <QTest>
@@ -68,7 +69,7 @@ void runByWords(WindowDriver& driver, const QString& words) {
 /// The ends of horns and ears: those of the suggested pins that are ends of limbs and lie beside the middle.
 std::vector<Eigen::Vector3d> hornsAndEars(WindowDriver& driver) {
     std::vector<Eigen::Vector3d> places;
-    for (const SuggestedPin& pin : driver.bench().suggestionsInView())
+    for (const SuggestedPin& pin : driver.bench().pinOffers().inView())
         if (pin.kind == PinKind::Tip && std::abs(pin.point.x()) > 15)
             places.push_back(pin.point);
     return places;

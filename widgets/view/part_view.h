@@ -112,6 +112,8 @@ Q_SIGNALS:
     void featureDropped();
     void featureDragCancelled();
     void featureClicked(const moldwright::scene::FeatureAt& feature, Qt::KeyboardModifiers keys);
+    /// The surface was clicked while that means nothing to a tool, and nothing that can be chosen is there.
+    void surfaceClicked(const moldwright::scene::SurfacePicker::Hit& hit, Qt::KeyboardModifiers keys);
     /// A box was drawn from where nothing can be taken hold of, while clicks on the surface mean nothing.
     void boxDrawn(const moldwright::scene::Lasso& box, Qt::KeyboardModifiers keys);
     /// The mark of a chip was clicked.

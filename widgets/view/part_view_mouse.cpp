@@ -220,12 +220,15 @@ void PartView::clicked(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys) {
         placePin(at, (m_picking == Picking::PinInside) != keys.testFlag(Qt::ShiftModifier));
         return;
     }
-    const bool picks = m_picking == Picking::Face || m_picking == Picking::Place;
+    const bool picks =
+        m_picking == Picking::Face || m_picking == Picking::Place || m_picking == Picking::Nothing;
     const auto hit = picks ? hitAt(at) : std::nullopt;
     if (hit && m_picking == Picking::Place)
         Q_EMIT pointClicked(*hit);
-    else if (hit && hit->face >= 0)
+    else if (hit && hit->face >= 0 && m_picking == Picking::Face)
         Q_EMIT faceClicked(hit->face);
+    else if (hit && hit->face >= 0)
+        Q_EMIT surfaceClicked(*hit, keys);
 }
 
 bool PartView::clickedMark(const Eigen::Vector2d& at, Qt::KeyboardModifiers keys) {
