@@ -4509,6 +4509,22 @@
         <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;Ctrl+R&lt;/b&gt; repairs the mesh, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
         <translation>&lt;b&gt;F3&lt;/b&gt; geht von Stelle zu Stelle, &lt;b&gt;Strg+R&lt;/b&gt; repariert das Netz, &lt;b&gt;F5&lt;/b&gt; liest die Datei erneut, &lt;b&gt;Esc&lt;/b&gt; geht zurück zu dem, was offen war. %1</translation>
     </message>
+    <message>
+        <source>Half %1</source>
+        <translation>Hälfte %1</translation>
+    </message>
+    <message>
+        <source>opens along direction %1</source>
+        <translation>öffnet sich entlang Richtung %1</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>Kleinster Stahl</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -4791,14 +4807,6 @@
     <message>
         <source>What the faces show</source>
         <translation>Was die Flächen zeigen</translation>
-    </message>
-    <message>
-        <source>How far the mold is open</source>
-        <translation>Wie weit die Form offen ist</translation>
-    </message>
-    <message>
-        <source>Mold opened</source>
-        <translation>Form geöffnet</translation>
     </message>
 </context>
 <context>
@@ -6533,6 +6541,37 @@ Offene Punkte: %1.</translation>
     <message>
         <source>Take suggested pins</source>
         <translation>Vorgeschlagene Heftpunkte nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::OpeningBar</name>
+    <message>
+        <source>How far the mold is open</source>
+        <translation>Wie weit die Form offen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>öffnet sich</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>auseinander</translation>
+    </message>
+    <message>
+        <source>turning over</source>
+        <translation>klappt auf</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>nebeneinander</translation>
     </message>
 </context>
 </TS>

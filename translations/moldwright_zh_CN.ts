@@ -4509,6 +4509,22 @@
         <source>&lt;b&gt;F3&lt;/b&gt; goes from place to place, &lt;b&gt;Ctrl+R&lt;/b&gt; repairs the mesh, &lt;b&gt;F5&lt;/b&gt; reads the file again, &lt;b&gt;Esc&lt;/b&gt; goes back to what was open. %1</source>
         <translation>&lt;b&gt;F3&lt;/b&gt; 逐处查看，&lt;b&gt;Ctrl+R&lt;/b&gt; 修复网格，&lt;b&gt;F5&lt;/b&gt; 重新读取文件，&lt;b&gt;Esc&lt;/b&gt; 返回之前打开的内容。%1</translation>
     </message>
+    <message>
+        <source>Half %1</source>
+        <translation>半模 %1</translation>
+    </message>
+    <message>
+        <source>opens along direction %1</source>
+        <translation>沿方向 %1 打开</translation>
+    </message>
+    <message>
+        <source>Smallest steel</source>
+        <translation>最薄壁厚</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -4791,14 +4807,6 @@
     <message>
         <source>What the faces show</source>
         <translation>面显示什么</translation>
-    </message>
-    <message>
-        <source>How far the mold is open</source>
-        <translation>模具打开多少</translation>
-    </message>
-    <message>
-        <source>Mold opened</source>
-        <translation>模具已打开</translation>
     </message>
 </context>
 <context>
@@ -6533,6 +6541,37 @@ Open items: %1.</source>
     <message>
         <source>Take suggested pins</source>
         <translation>采用建议的固定点</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::OpeningBar</name>
+    <message>
+        <source>How far the mold is open</source>
+        <translation>模具打开多少</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>闭合</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>正在打开</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>分开</translation>
+    </message>
+    <message>
+        <source>turning over</source>
+        <translation>翻转中</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>并排</translation>
     </message>
 </context>
 </TS>

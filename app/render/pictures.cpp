@@ -106,7 +106,7 @@ Result<void> drawOpened(const scene::EglContext& context, const Mold& mold,
     view.setSurface(scene::drawnMesh(mold.cast), {});
     view.setHalves(scene::drawnMesh(mold.half1.mesh), scene::drawnMesh(mold.half2.mesh),
                    Eigen::Isometry3d::Identity(), mold.directions);
-    view.setOpening(opening);
+    view.setOpening({opening});
     return write(scene::renderPicture(view, context, fromTheSide, width, height), file);
 }
 

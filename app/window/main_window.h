@@ -40,6 +40,7 @@ class StartPage;
 class Tour;
 class Turntable;
 class ViewArea;
+class OpeningBar;
 class ViewBar;
 class ViewPane;
 class WorkflowBar;
@@ -145,6 +146,10 @@ private:
     void showMold(scene::Scene& scene, bool shown, const ShownSteel* steel);
     /// Whether the views show where the mold's features stand.
     [[nodiscard]] bool planShown() const;
+    /// Eases the mold open and looks at both parting faces.
+    void showMoldOpen();
+    /// The halves by their names, and the smallest steel, as the mold is open in a scene.
+    [[nodiscard]] std::vector<scene::Chip> halfChips(const scene::Scene& scene) const;
     void serveFeatures(ViewPane& pane);
     void dragFeature(const PartView& view, const scene::FeatureAt& at, const scene::Ray& ray, bool exactly);
     void connectFeatureActions();
@@ -273,6 +278,7 @@ private:
     StartPage* m_start = nullptr;
     Banner* m_banner = nullptr;
     ViewBar* m_viewBar = nullptr;
+    OpeningBar* m_opening = nullptr;
     ViewArea* m_views = nullptr;
     PartView* m_view = nullptr;  ///< the active one
     ViewLayout m_layoutBefore{}; ///< of the views, while variants are compared

@@ -20,6 +20,7 @@
 #include "window/importance_pages.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
+#include "window/opening_bar.h"
 #include "window/pin_offers.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
@@ -156,7 +157,7 @@ void MainWindow::connectDesignActions() {
     m_actions.on(u"print-report"_s, [this] { chooseFileForReport(); });
     m_actions.on(u"open-mold"_s, [this] {
         select(u"mold"_s);
-        m_viewBar->easeOpening(m_viewBar->opening() > 0.5 ? 0 : 1);
+        m_opening->ease(m_opening->opening() > 0.5 ? 0 : 1);
     });
 }
 
@@ -228,13 +229,7 @@ void MainWindow::connectBench() {
     connect(&m_bench, &Workbench::moldBuilt, this, [this] {
         select(u"mold"_s);
         refresh();
-        // From beside the parting plane and a little from half 1's side: one looks into half 2's cavity.
-        scene::Scene& scene = m_view->scene();
-        scene.setOpening(1); // all of it is to be in sight once it is open
-        m_view->lookFrom(scene.rectangle().u + 0.55 * m_bench.project().state->plane.normal +
-                         0.45 * Eigen::Vector3d::UnitZ());
-        scene.setOpening(m_viewBar->opening());
-        m_viewBar->easeOpening(1);
+        showMoldOpen();
     });
 }
 

@@ -15,6 +15,7 @@
 #include "scene/navigation.h"
 #include "view/part_view.h"
 #include "window/languages.h"
+#include "window/opening_bar.h"
 #include "window/preferences.h"
 #include "window/samples.h"
 #include "window/status_progress.h"
@@ -133,6 +134,8 @@ void MainWindow::buildCentre() {
     column->setSpacing(0);
     m_viewBar = new ViewBar(m_actions, work);
     column->addWidget(m_viewBar);
+    m_opening = new OpeningBar(work);
+    column->addWidget(m_opening);
     buildViews(work);
     column->addWidget(m_views, 1);
     m_centre->addWidget(work);

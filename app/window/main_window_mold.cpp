@@ -7,9 +7,9 @@
 #include "window/live_steel.h"
 #include "window/mold_feature_pages.h"
 #include "window/mold_placing.h"
+#include "window/opening_bar.h"
 #include "window/placing_snap.h"
 #include "window/steel_paint.h"
-#include "window/view_bar.h"
 #include "window/view_pane.h"
 #include "window/workbench.h"
 
@@ -68,7 +68,47 @@ void MainWindow::showMold(scene::Scene& scene, bool shown, const ShownSteel* ste
             scene.setHalfColours(side, steelPaint(steel->maps[i], steel->maps[i].thickness, side),
                                  steelPaint(steel->maps[i], steel->standInSteel[i], side));
     scene.setContacts(m_bench.contacts());
-    scene.setOpening(m_viewBar->opening());
+    scene.setOpening(scene::openingAt(m_opening->opening()));
+}
+
+void MainWindow::showMoldOpen() {
+    // Both parting faces look along the normal: from there, and a little from below as one looks at a table.
+    const Eigen::Vector3d normal = m_bench.project().state->plane.normal;
+    const bool upright = std::abs(normal.z()) < 0.7;
+    const Eigen::Vector3d aside = upright ? Eigen::Vector3d::UnitZ().eval()
+                                          : Eigen::Vector3d(-m_bench.mold()->partToMold.linear().row(1));
+    scene::Scene& scene = m_view->scene();
+    scene.setOpening(scene::openingAt(1)); // all of it is to be in sight once it is open
+    m_view->lookFrom(normal + 0.5 * aside);
+    scene.setOpening(scene::openingAt(m_opening->opening()));
+    m_opening->ease(1);
+}
+
+std::vector<scene::Chip> MainWindow::halfChips(const scene::Scene& scene) const {
+    std::vector<scene::Chip> chips;
+    if (m_opening->opening() < 0.5)
+        return chips; // they would lie on one another
+    for (const int side : {1, 2}) {
+        const scene::SharedDrawnMesh& half = scene.half(side);
+        if (!half)
+            return {};
+        const Eigen::Vector3d edge(half->box.center().x(), half->box.min().y(), 0);
+        chips.push_back({scene.placeOnHalf(side, edge),
+                         {{},
+                          {{std::nullopt,
+                            {{tr("Half %1").arg(side).toStdString(),
+                              side == 1 ? scene::Ink::Side1 : scene::Ink::Side2, true},
+                             {tr("opens along direction %1").arg(side).toStdString()}},
+                            {}}}}});
+    }
+    const Mold& mold = *m_bench.mold();
+    chips.push_back({scene.placeOnHalf(mold.minWallPlace.z() > 0 ? 1 : 2, mold.minWallPlace),
+                     {{},
+                      {{std::nullopt,
+                        {{tr("Smallest steel").toStdString()},
+                         {tr("%1 mm").arg(mold.minWall, 0, 'f', 2).toStdString(), scene::Ink::Text, true}},
+                        {}}}}});
+    return chips;
 }
 
 bool MainWindow::planShown() const {

@@ -11,6 +11,7 @@
 #include "window/live_steel.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
+#include "window/opening_bar.h"
 #include "window/paint_tool.h"
 #include "window/pin_pages.h"
 #include "window/preferences.h"
@@ -80,9 +81,11 @@ void MainWindow::buildViews(QWidget* parent) {
     });
     m_views->restore(preferences::layout(u"views"_s));
     connect(m_viewBar, &ViewBar::modeChosen, this, &MainWindow::setMode);
-    connect(m_viewBar, &ViewBar::openingChanged, this, [this](double opening) {
+    connect(m_opening, &OpeningBar::openingChanged, this, [this](double opening) {
         for (const ViewPane* pane : m_views->shown()) {
-            pane->view().scene().setOpening(opening);
+            pane->view().scene().setOpening(scene::openingAt(opening));
+            if (moldShown())
+                pane->view().scene().setChips(halfChips(pane->view().scene()));
             pane->view().fitAll();
         }
     });
@@ -206,7 +209,7 @@ void MainWindow::refreshViewActions() {
 }
 
 void MainWindow::refreshViews() {
-    m_viewBar->setMoldShown(moldShown());
+    m_opening->setVisible(moldShown());
     // Each takes its time on a large part: the active one comes at once, the others between events.
     m_oldViews.clear();
     for (ViewPane* pane : m_views->shown())
@@ -272,7 +275,9 @@ void MainWindow::refreshView(ViewPane& pane) {
                              : legendIn(settings.mode, m_bench, surface, map, m_visible));
     view.setBrushRadius(m_tool == Tool::Paint ? m_bench.brushRadius() : 0);
     scene.setStateChip(stateChipFor(m_bench, settings.content));
-    scene.setChips(surface.drawn && !inMold ? chipsIn(pane, map) : std::vector<scene::Chip>());
+    scene.setChips(inMold          ? halfChips(scene)
+                   : surface.drawn ? chipsIn(pane, map)
+                                   : std::vector<scene::Chip>());
     const bool measured = surface.drawn && m_measure->measurement().isOf(surface.drawn->mesh);
     scene.setPath(measured ? m_measure->measurement().path() : m_planePoints);
     showGuides(pane, surface);

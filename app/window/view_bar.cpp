@@ -6,20 +6,12 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QSlider>
-#include <QStyle>
-#include <QVariantAnimation>
-
-#include <cmath>
 
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
 
 namespace {
-
-constexpr int openingSteps = 1000;
-constexpr int openingMilliseconds = 700;
 
 QLabel* barLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -51,7 +43,6 @@ ViewBar::ViewBar(const Actions& actions, QWidget* parent) : QToolBar(parent) {
     for (const QString& id : {u"show-plane"_s, u"show-directions"_s, u"show-edges"_s, u"see-through"_s,
                               u"measure"_s, u"section"_s})
         addTool(actions[id]);
-    addOpening();
     auto* space = new QWidget(this);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(space);
@@ -60,23 +51,6 @@ ViewBar::ViewBar(const Actions& actions, QWidget* parent) : QToolBar(parent) {
     addSeparator();
     for (const QString& id : {u"fit"_s, u"perspective"_s, u"screenshot"_s})
         addTool(actions[id]);
-    setMoldShown(false);
-}
-
-void ViewBar::addOpening() {
-    m_opening = new QSlider(Qt::Horizontal, this);
-    m_opening->setRange(0, openingSteps);
-    m_opening->setFixedWidth(140);
-    m_opening->setAccessibleName(tr("How far the mold is open"));
-    m_opening->setObjectName(u"opening"_s);
-    m_percent = barLabel(u"0 %"_s, this);
-    m_percent->setMinimumWidth(44);
-    connect(m_opening, &QSlider::valueChanged, this, [this] {
-        m_percent->setText(u"%1 %"_s.arg(std::lround(100 * opening())));
-        Q_EMIT openingChanged(opening());
-    });
-    m_moldParts = {addSeparator(), addWidget(barLabel(tr("Mold opened"), this)), addWidget(m_opening),
-                   addWidget(m_percent)};
 }
 
 void ViewBar::addTool(QAction* action) {
@@ -92,31 +66,6 @@ void ViewBar::setMode(DisplayMode mode) {
 
 void ViewBar::setModesEnabled(bool enabled) {
     m_mode->setEnabled(enabled);
-}
-
-void ViewBar::setMoldShown(bool shown) {
-    for (QAction* part : m_moldParts)
-        part->setVisible(shown);
-}
-
-double ViewBar::opening() const {
-    return m_opening->value() / double(openingSteps);
-}
-
-void ViewBar::easeOpening(double opening) {
-    const int target = static_cast<int>(std::lround(opening * openingSteps));
-    if (!isVisible() || style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) == 0) {
-        m_opening->setValue(target);
-        return;
-    }
-    auto* ease = new QVariantAnimation(this);
-    ease->setStartValue(m_opening->value());
-    ease->setEndValue(target);
-    ease->setDuration(openingMilliseconds);
-    ease->setEasingCurve(QEasingCurve::InOutCubic);
-    connect(ease, &QVariantAnimation::valueChanged, m_opening,
-            [this](const QVariant& v) { m_opening->setValue(v.toInt()); });
-    ease->start(QAbstractAnimation::DeleteWhenStopped);
 }
 
 } // namespace moldwright

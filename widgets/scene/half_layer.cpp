@@ -10,22 +10,23 @@ void HalfLayer::set(const SharedDrawnMesh& half, const Eigen::Isometry3d& moldTo
     m_moldToPart = moldToPart;
     m_direction = direction;
     m_layer.setMesh(half, colour);
-    open(m_way);
 }
 
-void HalfLayer::open(double way) {
+void HalfLayer::open(double way, const Eigen::Isometry3d& moved) {
     m_way = way;
-    Eigen::Isometry3d placed = m_moldToPart;
+    Eigen::Isometry3d placed = m_moldToPart * moved;
     placed.pretranslate(way * m_direction);
     m_layer.setPose(placed);
 }
 
+Eigen::AlignedBox3d HalfLayer::box() const {
+    return m_layer.mesh() ? m_layer.mesh()->box : Eigen::AlignedBox3d();
+}
+
 std::vector<Eigen::Vector3d> HalfLayer::corners() const {
-    if (!m_layer.mesh())
-        return {};
-    std::vector<Eigen::Vector3d> corners = cornersOf(m_layer.mesh()->box);
+    std::vector<Eigen::Vector3d> corners = cornersOf(box());
     for (Eigen::Vector3d& corner : corners)
-        corner = m_moldToPart * corner + m_way * m_direction;
+        corner = m_layer.pose() * corner;
     return corners;
 }
 

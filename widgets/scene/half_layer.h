@@ -19,14 +19,16 @@ public:
              const Eigen::Vector3d& direction, Rgb colour);
     void clear() { m_layer.setMesh(nullptr, {}); }
 
-    /// Opens by `way` mm along the direction.
-    void open(double way);
+    /// Opens by `way` mm along the direction, after it was moved in the mold's frame by `moved`.
+    void open(double way, const Eigen::Isometry3d& moved);
 
     [[nodiscard]] double way() const { return m_way; } ///< mm
 
     [[nodiscard]] MeshLayer& layer() { return m_layer; }
     [[nodiscard]] const MeshLayer& layer() const { return m_layer; }
 
+    /// Its box in the mold's frame; empty while nothing is shown.
+    [[nodiscard]] Eigen::AlignedBox3d box() const;
     /// Corners of its box in the part's frame, opened as it is; none while nothing is shown.
     [[nodiscard]] std::vector<Eigen::Vector3d> corners() const;
 

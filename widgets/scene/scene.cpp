@@ -17,7 +17,6 @@ namespace {
 
 constexpr double arrowShare = 0.17; ///< of the part's diagonal
 constexpr double arrowGap = 0.03;
-constexpr double openShare = 0.5; ///< of the part's diagonal, each half
 
 /// The colour of a solid where it is cut open.
 Rgb darker(Rgb colour) {
@@ -46,8 +45,7 @@ void addLights(vtkRenderer* renderer) {
 } // namespace
 
 Scene::Scene()
-    : m_surface(m_back), m_half1(m_back), m_half2(m_back),
-      m_sections{CutLayer(m_front), CutLayer(m_front), CutLayer(m_front)} {
+    : m_surface(m_back), m_mold(m_back), m_sections{CutLayer(m_front), CutLayer(m_front), CutLayer(m_front)} {
     m_back->SetLayer(0);
     m_back->GradientBackgroundOn();
     m_front->SetLayer(1);
@@ -119,7 +117,7 @@ Eigen::AlignedBox3d Scene::box() const {
 }
 
 std::array<MeshLayer*, 3> Scene::surfaces() {
-    return {&m_surface, &m_half1.layer(), &m_half2.layer()};
+    return {&m_surface, &m_mold.half(1), &m_mold.half(2)};
 }
 
 void Scene::setSurface(const SharedDrawnMesh& mesh, std::span<const Rgb> faceColours) {
@@ -138,8 +136,7 @@ void Scene::setFaceColours(std::span<const Rgb> faceColours) {
 }
 
 void Scene::paintSurface() {
-    m_surface.setFaceColours(
-        m_contacts.painted(m_faceColours, {m_half1.way(), m_half2.way()}, m_colours.undercut));
+    m_surface.setFaceColours(m_contacts.painted(m_faceColours, m_mold.ways(), m_colours.undercut));
 }
 
 void Scene::useStandIns(bool use) {
@@ -224,12 +221,13 @@ void Scene::placeArrows() {
 void Scene::updateVisibility() {
     const bool plane = m_state && m_planeVisible && m_surface.mesh();
     const bool arrows = m_state && m_directionsVisible && m_surface.mesh();
-    m_surface.setVisible(m_surfaceVisible);
-    m_sections[0].setVisible(m_surfaceVisible);
+    const bool surface = m_surfaceVisible && !m_mold.turnedOver();
+    m_surface.setVisible(surface);
+    m_sections[0].setVisible(surface);
     m_plane.sheet()->SetVisibility(plane);
     m_plane.outline()->SetVisibility(plane);
-    m_plane.crease()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);
-    m_plane.partingLine()->SetVisibility(m_state && m_surface.mesh() && m_surfaceVisible);
+    m_plane.crease()->SetVisibility(m_state && m_surface.mesh() && surface);
+    m_plane.partingLine()->SetVisibility(m_state && m_surface.mesh() && surface);
     m_arrow1.actor()->SetVisibility(arrows);
     m_arrow2.actor()->SetVisibility(arrows);
     showGrips();
@@ -286,24 +284,17 @@ void Scene::showGrips() {
 void Scene::setHalves(const SharedDrawnMesh& half1, const SharedDrawnMesh& half2,
                       const Eigen::Isometry3d& moldToPart, const Directions& directions) {
     setContacts({});
-    if (half1)
-        m_half1.set(half1, moldToPart, directions.d1, m_colours.half1);
-    else
-        m_half1.clear();
-    if (half2)
-        m_half2.set(half2, moldToPart, directions.d2, m_colours.half2);
-    else
-        m_half2.clear();
+    m_mold.set({half1, half2}, moldToPart, directions, {m_colours.half1, m_colours.half2});
     placeSections();
+    updateVisibility();
 }
 
-void Scene::setOpening(double opening) {
-    const double size = m_surface.mesh() ? m_surface.mesh()->box.sizes().norm() : 1;
-    m_half1.open(opening * openShare * size);
-    m_half2.open(opening * openShare * size);
+void Scene::setOpening(const Opening& opening) {
+    m_mold.open(opening, m_surface.mesh() ? m_surface.mesh()->box.sizes().norm() : 1);
     if (m_contacts.any())
         paintSurface();
     placeSections();
+    updateVisibility();
 }
 
 void Scene::setCut(const std::optional<PartingPlane>& cut) {
@@ -326,10 +317,9 @@ void Scene::placeSections() {
 
 std::vector<Eigen::Vector3d> Scene::outline() const {
     std::vector<Eigen::Vector3d> points;
-    if (m_surfaceVisible)
+    if (m_surfaceVisible && !m_mold.turnedOver())
         points = cornersOf(box());
-    for (const HalfLayer* half : {&m_half1, &m_half2})
-        std::ranges::copy(half->corners(), std::back_inserter(points));
+    std::ranges::copy(m_mold.corners(), std::back_inserter(points));
     if (m_state && m_directionsVisible && m_surface.mesh())
         for (const int side : {1, 2})
             points.push_back(arrowTip(side));
@@ -339,12 +329,14 @@ std::vector<Eigen::Vector3d> Scene::outline() const {
 }
 
 std::optional<Spot> Scene::shapeSpot(const Camera& camera, ViewSize view) const {
-    if (!m_surface.mesh() || !m_surfaceVisible)
-        return std::nullopt;
-    const Points& points = m_surface.mesh()->bounds();
     Eigen::AlignedBox2d seen;
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-        seen.extend(camera.project(points.row(i).transpose(), view).head<2>());
+    for (const Eigen::Vector3d& corner : m_mold.corners())
+        seen.extend(camera.project(corner, view).head<2>());
+    if (seen.isEmpty() && m_surface.mesh() && m_surfaceVisible)
+        for (const auto& point : m_surface.mesh()->bounds().rowwise())
+            seen.extend(camera.project(point.transpose(), view).head<2>());
+    if (seen.isEmpty())
+        return std::nullopt;
     return Spot{seen.min().x(), view.height - seen.max().y(), seen.sizes().x(), seen.sizes().y()};
 }
 
@@ -376,10 +368,7 @@ void Scene::arrange(const Camera& camera, ViewSize view, bool still) {
 }
 
 int Scene::sliceCount() const {
-    int blocks = m_surface.blockCount();
-    for (const HalfLayer* half : {&m_half1, &m_half2})
-        blocks += half->layer().blockCount();
-    return blocks + 1;
+    return m_surface.blockCount() + m_mold.half(1).blockCount() + m_mold.half(2).blockCount() + 1;
 }
 
 void Scene::drawSlice(std::optional<int> slice) {

@@ -14,8 +14,8 @@
 #include "scene/feature_layer.h"
 #include "scene/filling_layer.h"
 #include "scene/grips.h"
-#include "scene/half_layer.h"
 #include "scene/mesh_layer.h"
+#include "scene/opened_mold.h"
 #include "scene/orientation_cube.h"
 #include "scene/overlay.h"
 #include "scene/path_layer.h"
@@ -87,12 +87,10 @@ public:
     void setHalves(const SharedDrawnMesh& half1, const SharedDrawnMesh& half2,
                    const Eigen::Isometry3d& moldToPart, const Directions& directions);
     /// Half 1 or 2 as it was set.
-    [[nodiscard]] const SharedDrawnMesh& half(int side) const {
-        return (side == 1 ? m_half1 : m_half2).layer().mesh();
-    }
+    [[nodiscard]] const SharedDrawnMesh& half(int side) const { return m_mold.half(side).mesh(); }
     /// One colour per face of half 1 or 2, and of its stand-in.
     void setHalfColours(int side, std::span<const Rgb> faces, std::span<const Rgb> standIn) {
-        MeshLayer& layer = (side == 1 ? m_half1 : m_half2).layer();
+        MeshLayer& layer = m_mold.half(side);
         layer.setFaceColours(faces);
         layer.setStandInColours(standIn);
     }
@@ -101,8 +99,12 @@ public:
         m_contacts.setContacts(contacts);
         paintSurface();
     }
-    /// 0 closed … 1 open wide.
-    void setOpening(double opening);
+    /// While half 1 is turned over, the surface is out of sight.
+    void setOpening(const Opening& opening);
+    /// Where a place of half 1 or 2 in the mold's frame is seen, opened as it is, mm.
+    [[nodiscard]] Eigen::Vector3d placeOnHalf(int side, const Eigen::Vector3d& place) const {
+        return m_mold.half(side).pose() * place;
+    }
     /// How many faces a half meets, opened as it is.
     [[nodiscard]] int facesMet() const { return m_contacts.facesMet(); }
 
@@ -133,7 +135,7 @@ public:
     /// to the shape where that holds `still`.
     void arrange(const Camera& camera, ViewSize view, bool still = false);
 
-    /// Where the surface is seen; none without one. Pixels.
+    /// Where the mold is seen, or else the surface; none without either. Pixels.
     [[nodiscard]] std::optional<Spot> shapeSpot(const Camera& camera, ViewSize view) const;
 
     /// In how many slices the picture can be drawn: one for each block of its surfaces, and one for the rest.
@@ -174,8 +176,7 @@ private:
     CubeWords m_words = {"Front", "Back", "Left", "Right", "Top", "Bottom"};
     MeshLayer m_surface;
     std::vector<Rgb> m_faceColours; ///< of the surface, as wanted
-    HalfLayer m_half1;
-    HalfLayer m_half2;
+    OpenedMold m_mold;
     ContactPaint m_contacts;
     std::array<CutLayer, 3> m_sections; ///< of surface, half 1, half 2
     std::optional<PartingPlane> m_cut;
