@@ -2557,7 +2557,7 @@
     </message>
     <message>
         <source>Not started</source>
-        <translation>Nicht begonnen</translation>
+        <translation>Steht aus</translation>
     </message>
     <message>
         <source>Done</source>
@@ -2762,6 +2762,10 @@
     <message>
         <source>As read</source>
         <translation>Wie gelesen</translation>
+    </message>
+    <message>
+        <source>Mold, proved</source>
+        <translation>Form, bewiesen</translation>
     </message>
 </context>
 <context>
@@ -4525,6 +4529,10 @@
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
+    <message>
+        <source>Steel between features</source>
+        <translation>Stahl zwischen Merkmalen</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -5277,6 +5285,10 @@
     <message>
         <source>Repairing</source>
         <translation>Reparieren</translation>
+    </message>
+    <message>
+        <source>No undercut at this plane.</source>
+        <translation>Kein Hinterschnitt an dieser Ebene.</translation>
     </message>
 </context>
 <context>
@@ -6550,10 +6562,6 @@ Offene Punkte: %1.</translation>
         <translation>Wie weit die Form offen ist</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>Ö&amp;ffnen</translation>
-    </message>
-    <message>
         <source>closed</source>
         <translation>geschlossen</translation>
     </message>
@@ -6572,6 +6580,37 @@ Offene Punkte: %1.</translation>
     <message>
         <source>side by side</source>
         <translation>nebeneinander</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::SteelTable</name>
+    <message>
+        <source>Steel between features</source>
+        <translation>Stahl zwischen Merkmalen</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Zwischen</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>Stahl</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>The steel between the features of the mold, once it is built or they are placed.</source>
+        <translation>Der Stahl zwischen den Merkmalen der Form, sobald sie gebaut ist oder diese platziert sind.</translation>
     </message>
 </context>
 </TS>

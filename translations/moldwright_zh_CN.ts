@@ -2763,6 +2763,10 @@
         <source>As read</source>
         <translation>读入时的状态</translation>
     </message>
+    <message>
+        <source>Mold, proved</source>
+        <translation>模具，已证明</translation>
+    </message>
 </context>
 <context>
     <name>Project</name>
@@ -4525,6 +4529,10 @@
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
+    <message>
+        <source>Steel between features</source>
+        <translation>特征之间的钢料</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -5277,6 +5285,10 @@
     <message>
         <source>Repairing</source>
         <translation>修复</translation>
+    </message>
+    <message>
+        <source>No undercut at this plane.</source>
+        <translation>此平面没有倒扣。</translation>
     </message>
 </context>
 <context>
@@ -6550,10 +6562,6 @@ Open items: %1.</source>
         <translation>模具打开多少</translation>
     </message>
     <message>
-        <source>&amp;Open</source>
-        <translation>打开(&amp;O)</translation>
-    </message>
-    <message>
         <source>closed</source>
         <translation>闭合</translation>
     </message>
@@ -6572,6 +6580,37 @@ Open items: %1.</source>
     <message>
         <source>side by side</source>
         <translation>并排</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::SteelTable</name>
+    <message>
+        <source>Steel between features</source>
+        <translation>特征之间的钢料</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Steel</source>
+        <translation>钢料</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>限值</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>余量</translation>
+    </message>
+    <message>
+        <source>The steel between the features of the mold, once it is built or they are placed.</source>
+        <translation>模具建成或特征放置后，此处列出特征之间的钢料厚度。</translation>
     </message>
 </context>
 </TS>

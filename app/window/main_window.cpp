@@ -180,6 +180,7 @@ void MainWindow::refresh() {
     followComparison();
     refreshViews();
     refreshHistory();
+    refreshSteel();
     refreshActions();
     refreshTitle();
     refreshHint();

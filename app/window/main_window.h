@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mold/placed_feature.h"
+#include "mold/steel.h"
 #include "scene/scene.h"
 #include "theme/theme.h"
 #include "window/action_table.h"
@@ -40,7 +41,9 @@ class StartPage;
 class Tour;
 class Turntable;
 class ViewArea;
+class Dock;
 class OpeningBar;
+class SteelTable;
 class ViewBar;
 class ViewPane;
 class WorkflowBar;
@@ -146,6 +149,9 @@ private:
     void showMold(scene::Scene& scene, bool shown, const ShownSteel* steel);
     /// Whether the views show where the mold's features stand.
     [[nodiscard]] bool planShown() const;
+    [[nodiscard]] const std::vector<ThinSteel>& steelInView() const;
+    void refreshSteel();
+    void showSteel(int row);
     /// Eases the mold open and looks at both parting faces.
     void showMoldOpen();
     /// The halves by their names, and the smallest steel, as the mold is open in a scene.
@@ -279,6 +285,9 @@ private:
     Banner* m_banner = nullptr;
     ViewBar* m_viewBar = nullptr;
     OpeningBar* m_opening = nullptr;
+    SteelTable* m_steelTable = nullptr;
+    Dock* m_progressDock = nullptr;
+    Dock* m_steelDock = nullptr;
     ViewArea* m_views = nullptr;
     PartView* m_view = nullptr;  ///< the active one
     ViewLayout m_layoutBefore{}; ///< of the views, while variants are compared
@@ -299,7 +308,7 @@ private:
     QLabel* m_navigationLabel = nullptr;
     QLabel* m_hint = nullptr;
     QMenu* m_dockMenu = nullptr;
-    QList<class Dock*> m_docks;
+    QList<Dock*> m_docks;
     QByteArray m_firstLayout;
     bool m_docksPlaced = false;
     QStringList m_remedies; ///< the commands that the banner offers

@@ -123,6 +123,7 @@ void MainWindow::connectDesignActions() {
         m_banner->hide();
         select(u"deform"_s);
         m_view->setFocus(); // the button goes while it runs
+        m_progressDock->raise();
         m_bench.run();
     });
     m_actions.on(u"fill-and-run"_s, [this] {
@@ -230,6 +231,7 @@ void MainWindow::connectBench() {
         select(u"mold"_s);
         refresh();
         showMoldOpen();
+        m_steelDock->raise();
     });
 }
 

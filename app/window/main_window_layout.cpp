@@ -11,6 +11,7 @@
 #include "panels/project_tree.h"
 #include "panels/property_panel.h"
 #include "panels/start_page.h"
+#include "panels/steel_table.h"
 #include "panels/workflow_bar.h"
 #include "scene/navigation.h"
 #include "view/part_view.h"
@@ -168,18 +169,23 @@ void MainWindow::buildDocks() {
     m_history->setAccessibleName(tr("History"));
     m_history->setToolTip(tr("Every edit appears here. Click one to go back to it."));
 
+    m_steelTable = new SteelTable(this);
+    connect(m_steelTable, &SteelTable::showMe, this, &MainWindow::showSteel);
+
     auto* project = new Dock(u"dock-project"_s, tr("Project"), m_tree, this);
     auto* properties = new Dock(u"dock-properties"_s, tr("Properties"), m_properties, this);
-    auto* progress = new Dock(u"dock-progress"_s, tr("Progress"), course, this);
+    Dock* progress = m_progressDock = new Dock(u"dock-progress"_s, tr("Progress"), course, this);
     auto* messages = new Dock(u"dock-messages"_s, tr("Messages"), m_messages, this);
     auto* history = new Dock(u"dock-history"_s, tr("History"), m_history, this);
+    Dock* steel = m_steelDock = new Dock(u"dock-steel"_s, tr("Steel between features"), m_steelTable, this);
     addDockWidget(Qt::LeftDockWidgetArea, project);
     addDockWidget(Qt::RightDockWidgetArea, properties);
     addDockWidget(Qt::BottomDockWidgetArea, progress);
     splitDockWidget(progress, messages, Qt::Horizontal);
-    tabifyDockWidget(progress, history);
+    tabifyDockWidget(progress, steel);
+    tabifyDockWidget(steel, history);
     progress->raise();
-    m_docks = {project, properties, progress, messages, history};
+    m_docks = {project, properties, progress, messages, history, steel};
     for (Dock* dock : m_docks) {
         QAction* toggle = dock->toggleViewAction();
         toggle->setProperty("wanted", true);
@@ -194,7 +200,7 @@ void MainWindow::buildDocks() {
 void MainWindow::placeDocks() {
     Dock* project = m_docks[0];
     Dock* properties = m_docks[1];
-    Dock* progress = m_docks[2];
+    Dock* progress = m_progressDock;
     Dock* messages = m_docks[3];
     resizeDocks({project, properties}, {260, 304}, Qt::Horizontal);
     resizeDocks({progress, messages}, {500, 380}, Qt::Horizontal);

@@ -274,7 +274,7 @@ void MainWindow::refreshView(ViewPane& pane) {
                     : inMold ? contactLegend(m_bench.contacts())
                              : legendIn(settings.mode, m_bench, surface, map, m_visible));
     view.setBrushRadius(m_tool == Tool::Paint ? m_bench.brushRadius() : 0);
-    scene.setStateChip(stateChipFor(m_bench, settings.content));
+    scene.setStateChip(inMold ? moldChip(m_bench) : stateChipFor(m_bench, settings.content));
     scene.setChips(inMold          ? halfChips(scene)
                    : surface.drawn ? chipsIn(pane, map)
                                    : std::vector<scene::Chip>());

@@ -175,6 +175,12 @@ QString featureName(Placeable kind, int number) {
     return names.at(static_cast<std::size_t>(kind)).arg(number + 1);
 }
 
+QString steelEnds(const ThinSteel& steel) {
+    QString first = otherName(steel.first, steel.firstNumber);
+    first[0] = first[0].toUpper();
+    return first + QStringLiteral(" – ") + otherName(steel.second, steel.secondNumber);
+}
+
 QString steelWords(const PlacedRow& row) {
     if (row.thinnest == nullptr)
         return {};

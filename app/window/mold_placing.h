@@ -72,6 +72,8 @@ private:
 
 /// "Key 2".
 [[nodiscard]] QString featureName(Placeable kind, int number);
+/// What steel is between: "Key 2 – cavity 1".
+[[nodiscard]] QString steelEnds(const ThinSteel& steel);
 /// Where a feature stands, with the steel there: "2.1 mm of steel to cavity 1, 3 asked for".
 [[nodiscard]] QString steelWords(const PlacedRow& row);
 

@@ -27,14 +27,13 @@ OpeningBar::OpeningBar(QWidget* parent) : QFrame(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 0, 10, 0);
     row->setSpacing(8);
-    auto* label = new QLabel(tr("&Open"), this);
+    auto* label = new QLabel(tr("Open"), this);
     m_slider = new QSlider(Qt::Horizontal, this);
     m_slider->setRange(0, steps);
     m_slider->setPageStep(steps / 20);
     m_slider->setMaximumWidth(280);
     m_slider->setAccessibleName(tr("How far the mold is open"));
     m_slider->setObjectName(u"opening"_s);
-    label->setBuddy(m_slider);
     m_words = new QLabel(this);
     row->addWidget(label);
     row->addWidget(m_slider, 1);

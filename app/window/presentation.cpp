@@ -363,4 +363,10 @@ scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content) {
     return {{}, {{std::nullopt, std::move(runs), {}}}};
 }
 
+scene::PanelContent moldChip(const Workbench& bench) {
+    const bool proved = bench.mold()->verified();
+    return {{},
+            {{std::nullopt, {{(proved ? Words::tr("Mold, proved") : Words::tr("Mold")).toStdString()}}, {}}}};
+}
+
 } // namespace moldwright

@@ -59,6 +59,8 @@ struct Verdict {
 
 /// What a view with this content shows, in a word.
 [[nodiscard]] scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content);
+/// The same where a view shows the mold.
+[[nodiscard]] scene::PanelContent moldChip(const Workbench& bench);
 
 /// "12.3°" with a true minus; a draft is rounded down, so that nothing is promised that does not hold.
 [[nodiscard]] QString angleText(double degrees, int decimals = 1);

@@ -38,8 +38,10 @@ void Workbench::findUndercuts() {
             for (const FillableUndercut& undercut : *found)
                 m_undercuts.walls.push_back(std::make_shared<const IndexedMesh>(undercut.walls));
             const auto needed = std::ranges::count_if(*found, [](const auto& u) { return u.needed; });
-            say(Standing::Done,
-                tr("%1 undercuts at this plane; %2 that no bending frees.").arg(found->size()).arg(needed));
+            say(Standing::Done, found->empty() ? tr("No undercut at this plane.")
+                                               : tr("%1 undercuts at this plane; %2 that no bending frees.")
+                                                     .arg(found->size())
+                                                     .arg(needed));
             Q_EMIT changed();
             Q_EMIT undercutsFound();
         };

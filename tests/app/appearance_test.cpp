@@ -3,12 +3,17 @@
 // overlaps, and text can be read. Run once more at twice the scale.
 #include "app/window_driver.h"
 
+#include "exchange/mesh_file.h"
 #include "panels/figure_table.h"
 #include "panels/picture_list.h"
 #include "panels/project_tree.h"
 #include "panels/property_panel.h"
 #include "panels/workflow_bar.h"
+#include "project/edits.h"
+#include "support/folders.h"
+#include "support/shapes.h"
 #include "theme/theme.h"
+#include "window/document.h"
 #include "window/languages.h"
 #include "window/main_window.h"
 #include "window/preferences_dialog.h"
@@ -116,6 +121,16 @@ void expectWordsWhole(QWidget& window, const std::string& where) {
             << where << named(button, button->text());
 }
 
+/// What the project's tree tells beside each name.
+void expectValuesWhole(const ProjectTree& tree, const QModelIndex& parent, const std::string& where) {
+    for (int row = 0; row < tree.model()->rowCount(parent); ++row) {
+        const QModelIndex value = tree.model()->index(row, ProjectModel::Value, parent);
+        EXPECT_GE(tree.visualRect(value).width() + 1, tree.sizeHintForIndex(value).width())
+            << where << value.data().toString().toStdString();
+        expectValuesWhole(tree, value.siblingAtColumn(0), where);
+    }
+}
+
 void expectNothingClipped(QWidget& window, const std::string& where) {
     expectWordsWhole(window, where);
     const auto* verdict = window.findChild<VerdictButton*>();
@@ -124,6 +139,8 @@ void expectNothingClipped(QWidget& window, const std::string& where) {
     for (const PictureList* list : seenOf<PictureList>(window))
         for (int row = 0; row < list->count(); ++row)
             EXPECT_TRUE(list->fits(row)) << where << named(list, list->item(row)->text());
+    if (const auto* tree = window.findChild<ProjectTree*>(); seen(tree))
+        expectValuesWhole(*tree, {}, where);
     for (const FigureTable* table : seenOf<FigureTable>(window))
         EXPECT_TRUE(table->fits()) << where << named(table, {});
 }
@@ -203,8 +220,20 @@ void lookAtStart(WindowDriver& driver, const std::string& language) {
     driver.click("lost-discard");
 }
 
-/// Looks at the pages of a part with a cast, in a language and a theme.
-void lookAround(WindowDriver& driver, const QString& language, bool dark, QSize size) {
+/// A mesh that cannot be used, in view.
+void openHoled(WindowDriver& driver, const test::ScratchFolder& folder) {
+    IndexedMesh holed = test::box({0, 0, 0}, {30, 20, 20});
+    holed.F.conservativeResize(holed.F.rows() - 1, 3);
+    ASSERT_TRUE(writeMesh(folder.path() / "holed.ply", holed, MeshFormat::Ply));
+    driver.answerFileDialog(QString::fromStdString((folder.path() / "holed.ply").string()));
+    driver.answerQuestion("leave-discard");
+    driver.press("Ctrl+O");
+    ASSERT_TRUE(driver.waitFor([&] { return driver.bench().refused() != nullptr; }));
+}
+
+/// Looks at these pages in a language and a theme.
+void lookAround(WindowDriver& driver, const QString& language, bool dark, QSize size,
+                const std::vector<const char*>& rows) {
     driver.window().actions()[dark ? u"theme-dark"_s : u"theme-light"_s]->trigger();
     driver.window().resize(size);
     QTest::qWait(100);
@@ -213,8 +242,7 @@ void lookAround(WindowDriver& driver, const QString& language, bool dark, QSize 
                                   .arg(driver.window().devicePixelRatioF())
                                   .arg(size.width())
                                   .toStdString();
-    for (const char* row : {"part", "variants", "plane", "direction-1", "pins", "importance", "deform",
-                            "undercuts", "cast", "mold"}) {
+    for (const char* row : rows) {
         driver.selectRow(row);
         expectGoodLooks(driver, where + row);
         if (testing::Test::HasFailure())
@@ -239,16 +267,29 @@ TEST_P(Appearance, NothingIsClippedOrOverlapsAndTextCanBeRead) {
     ASSERT_TRUE(driver.waitIdle());
     driver.press("Ctrl+Return");
     ASSERT_TRUE(driver.waitIdle(180000));
+    MoldSettings mold = driver.bench().project().mold;
+    mold.spout.on = mold.vents.on = true;
+    mold.keys.count = 4;
+    mold.pockets.count = 1;
+    mold.pockets.depth = 3; // half 2 is a plate of 5 mm
+    driver.bench().document().edit(u"Features"_s, withMoldSettings(driver.bench().project(), mold));
     driver.press("Ctrl+M");
     ASSERT_TRUE(driver.waitIdle());
-    QTest::qWait(900); // the halves move apart
+    ASSERT_TRUE(driver.bench().moldIsCurrent());
+    QTest::qWait(900); // the mold opens
     driver.press("Ctrl+D");
     driver.press("Ctrl+PgUp");
     driver.press("Ctrl+Shift+U");
     ASSERT_TRUE(driver.waitIdle());
     for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
         for (const bool dark : {false, true})
-            lookAround(driver, language, dark, size);
+            lookAround(driver, language, dark, size,
+                       {"part", "variants", "plane", "direction-1", "pins", "importance", "deform",
+                        "undercuts", "cast", "feature-spout-0", "feature-pocket-0", "mold"});
+    const test::ScratchFolder folder;
+    ASSERT_NO_FATAL_FAILURE(openHoled(driver, folder));
+    for (const bool dark : {false, true})
+        lookAround(driver, language, dark, {1280, 800}, {"refused", "fault-0"});
     driver.window().actions()[u"theme-light"_s]->trigger();
     driver.program().setLanguage(u"en"_s);
 }

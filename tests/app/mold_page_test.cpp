@@ -3,7 +3,9 @@
 #include "app/window_driver.h"
 
 #include "panels/property_panel.h"
+#include "panels/steel_table.h"
 #include "support/folders.h"
+#include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
 #include "window/mold_pages.h"
@@ -146,7 +148,25 @@ TEST(MoldPage, FeaturesAreChosenBuiltAndUndone) {
     EXPECT_EQ(count(mold, "overflow"), 2);
     EXPECT_EQ(count(mold, "key"), 4);
     EXPECT_EQ(count(mold, "slit"), 2);
+    QTest::qWait(900); // it opens
     driver.shot("80-mold-features");
+
+    // The steel between features: listed thinnest first, and shown by a click.
+    auto& table = *driver.window().findChild<SteelTable*>();
+    ASSERT_TRUE(table.isVisible()) << "building brings it to the front";
+    ASSERT_FALSE(table.rows().empty());
+    EXPECT_NEAR(table.rows().front().steel, mold.minWall, 1e-9);
+    EXPECT_TRUE(std::ranges::is_sorted(table.rows(), {}, &SteelRow::steel));
+    EXPECT_TRUE(std::ranges::none_of(table.rows(), &SteelRow::failing));
+    PartView& view = driver.window().view();
+    const double before = view.camera().halfHeight();
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualItemRect(table.item(0, 0)).center());
+    QTest::qWait(400);
+    const Eigen::Vector3d place =
+        view.scene().placeOnHalf(mold.minWallPlace.z() > 0 ? 1 : 2, mold.minWallPlace);
+    EXPECT_LT((view.camera().focus - place).norm(), view.camera().halfHeight());
+    EXPECT_LT(view.camera().halfHeight(), before);
+    driver.shot("80-mold-steel");
     // Each was a step of its own.
     for (int step = 0; step < 7; ++step)
         driver.press("Ctrl+Z");

@@ -133,7 +133,8 @@ void WorkflowBar::resizeEvent(QResizeEvent* event) {
 }
 
 void WorkflowBar::fitSteps() {
-    int needed = m_verdict->minimumSizeHint().width() + spare;
+    // A tool bar puts what has not its whole size behind an arrow, and that must never be the verdict.
+    int needed = m_verdict->sizeHint().width() + spare;
     for (const StepButton* step : m_steps)
         needed += step->wideWidth() + chevronWidth;
     for (StepButton* step : m_steps)
