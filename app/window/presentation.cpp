@@ -356,7 +356,8 @@ scene::PanelContent stateChipFor(const Workbench& bench, ViewContent content) {
         words = Words::tr("Cast");
     else
         words = Words::tr("Part as opened");
-    const std::string name = other ? other->variantName : project.others.empty() ? "" : project.variantName;
+    const bool oneOfSome = !bench.refused() && !project.others.empty();
+    const std::string name = other ? other->variantName : oneOfSome ? project.variantName : "";
     std::vector<scene::PanelContent::Run> runs = {{words.toStdString()}};
     if (!name.empty())
         runs.insert(runs.begin(), {name, {}, true});

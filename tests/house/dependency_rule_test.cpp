@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <string>
@@ -84,4 +85,14 @@ TEST(DependencyRule, ARoomOfTheCoreUsesOnlyRoomsAboveIt) {
         EXPECT_LE(level(used), level(room)) << include.file << " includes " << include.what;
     }
     EXPECT_GT(checked, 10);
+}
+
+TEST(Resources, EveryIconIsBuiltIn) {
+    const fs::path folder = test::sourceFolder() / "resources/icons";
+    std::ifstream in(folder / "icons.cmake");
+    const std::string list((std::istreambuf_iterator<char>(in)), {});
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".svg") {
+            EXPECT_NE(list.find(' ' + entry.path().filename().string()), std::string::npos) << entry.path();
+        }
 }

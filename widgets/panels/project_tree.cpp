@@ -12,6 +12,7 @@
 #include <QStyledItemDelegate>
 
 #include <algorithm>
+#include <utility>
 
 namespace moldwright {
 
@@ -30,6 +31,24 @@ public:
         QStyledItemDelegate::initStyleOption(option, index);
         // The selected row keeps its colours when the focus is elsewhere.
         option->state |= QStyle::State_Active;
+    }
+
+    /// A value may reach to the left as far as the name of its row leaves room.
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        if (index.column() != ProjectModel::Value)
+            return QStyledItemDelegate::paint(painter, option, index);
+        QStyleOptionViewItem cell = option;
+        initStyleOption(&cell, index);
+        const QString words = std::exchange(cell.text, QString());
+        const QStyle* style = cell.widget->style();
+        style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+        const QRect room = static_cast<const ProjectTree*>(cell.widget)->roomOfValue(index);
+        const bool selected = cell.state.testFlag(QStyle::State_Selected);
+        painter->setFont(cell.font);
+        painter->setPen(cell.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+        painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter,
+                          cell.fontMetrics.elidedText(words, Qt::ElideRight, room.width()));
     }
 };
 
@@ -172,6 +191,19 @@ ProjectTree::ProjectTree(ProjectModel* model, QWidget* parent) : QTreeView(paren
     });
     setSelectionMode(ExtendedSelection);
     connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &ProjectTree::tellChosen);
+}
+
+QRect ProjectTree::roomOfValue(const QModelIndex& value) const {
+    const QModelIndex name = value.siblingAtColumn(ProjectModel::Name);
+    const int margin = style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, this) + 1;
+    QRect room = visualRect(value);
+    room.setRight(room.right() - margin);
+    room.setLeft(visualRect(name).left() + sizeHintForIndex(name).width() + margin);
+    return room;
+}
+
+bool ProjectTree::fits(const QModelIndex& value) const {
+    return roomOfValue(value).width() >= fontMetrics().horizontalAdvance(value.data().toString());
 }
 
 void ProjectTree::toggle(const QModelIndex& index) {

@@ -64,6 +64,10 @@ public:
     /// Chooses rows, the last one as the current one; tells nobody.
     void select(const QStringList& ids);
     [[nodiscard]] QString selectedId() const;
+    /// Where the value of a row is written: what its name leaves.
+    [[nodiscard]] QRect roomOfValue(const QModelIndex& value) const;
+    /// Whether it is shown whole.
+    [[nodiscard]] bool fits(const QModelIndex& value) const;
     /// Begins to rename a row. Precondition: it can be renamed.
     void rename(const QString& id);
 

@@ -17,7 +17,7 @@ namespace moldwright {
 namespace {
 
 constexpr int lineHeight = 24;
-constexpr int figureWidth = 86;
+constexpr int figureWidth = 68;
 
 enum Column { Between, Steel, Asked, Spare };
 
