@@ -2423,6 +2423,10 @@
         <source>Place %1 features automatically</source>
         <translation>%1 Elemente automatisch platzieren</translation>
     </message>
+    <message>
+        <source>block's face</source>
+        <translation>Blockfläche</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>

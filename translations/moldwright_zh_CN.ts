@@ -2423,6 +2423,10 @@
         <source>Place %1 features automatically</source>
         <translation>自动放置 %1 个特征</translation>
     </message>
+    <message>
+        <source>block's face</source>
+        <translation>模块表面</translation>
+    </message>
 </context>
 <context>
     <name>ObstructionWords</name>

@@ -22,6 +22,8 @@ constexpr double aboutPlace = 0.12;       ///< of the block's length: what is br
 const std::vector<ThinSteel>& MainWindow::steelInView() const {
     static const std::vector<ThinSteel> none;
     const MoldSketch* sketch = m_bench.placing().sketch();
+    if (m_bench.refused())
+        return none;
     return m_bench.moldIsCurrent()         ? m_bench.mold()->steelOfEach
            : m_bench.castShown() && sketch ? sketch->steel
                                            : none;

@@ -178,7 +178,9 @@ QString featureName(Placeable kind, int number) {
 QString steelEnds(const ThinSteel& steel) {
     QString first = otherName(steel.first, steel.firstNumber);
     first[0] = first[0].toUpper();
-    return first + QStringLiteral(" – ") + otherName(steel.second, steel.secondNumber);
+    const QString second =
+        steel.second == "outside" ? Words::tr("block's face") : otherName(steel.second, steel.secondNumber);
+    return first + QStringLiteral(" – ") + second;
 }
 
 QString steelWords(const PlacedRow& row) {
