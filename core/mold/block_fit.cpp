@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The builder's stage that finds room: what stands in the plane, and a block that has place for all of it.
-#include "mesh/measures.h"
 #include "mold/circle_layout.h"
 #include "mold/mold_builder.h"
 #include "mold/star_runners.h"
@@ -102,11 +101,9 @@ Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     BlockContent content;
     content.wallX = wallX;
     content.wallY = wallY;
-    std::vector<Eigen::AlignedBox3d> ofKind;
-    for (const CavityKind& kind : kinds())
-        ofKind.push_back(boundingBox(kind.cast));
     for (const CavityCopy& copy : m_layout.copies)
-        content.cavities.extend(ofKind[copy.kind].translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
+        content.cavities.extend(
+            kinds()[copy.kind].box.translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
     const double depth = std::max(m_mold.settings.floor, m_mold.settings.ceiling) + m_mold.settings.step;
     const std::array<double, 2> ends = {content.cavities.max().z() + depth,
                                         content.cavities.min().z() - depth};
@@ -204,30 +201,36 @@ void MoldBuilder::addByHand(Obstacles& obstacles, const Block& block) const {
 bool MoldBuilder::placeOn(const Block& block) {
     const MoldSettings& settings = m_mold.settings;
     const auto wishes = [&](Placeable kind, int count) { return wishesFor(settings.placed, kind, count); };
+    const auto all = [](const std::vector<Vector2d>& places, int count) {
+        return static_cast<int>(places.size()) == count;
+    };
     Obstacles obstacles = planObstacles(block);
     addByHand(obstacles, block);
     const Pull pull = settings.shape == BlockShape::Shell ? Pull::Inwards : Pull::Outwards;
     m_boltPlaces =
         boltPlaces(settings.bolts, block, obstacles, wishes(Placeable::Bolt, settings.bolts.count), pull);
+    if (!all(m_boltPlaces, settings.bolts.count))
+        return false;
     // What comes later keeps the bolts' steel to them, where that is more than its own.
     const double more = std::max(0.0, settings.bolts.clear - settings.leastSteel);
     for (const Vector2d& place : m_boltPlaces)
         obstacles.push_back(boltRoom(settings.bolts, place, more));
     m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel,
                               wishes(Placeable::Slit, settings.slits.count), pull);
+    if (!all(m_slitPlaces, settings.slits.count))
+        return false;
     for (const Vector2d& place : m_slitPlaces)
         obstacles.push_back(slitShape(settings.slits, place));
     m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel,
                             wishes(Placeable::Key, settings.keys.count), pull);
+    if (!all(m_keyPlaces, settings.keys.count))
+        return false;
     for (std::size_t k = 0; k < m_keyPlaces.size(); ++k)
         obstacles.push_back(keyRoom(settings.keys, m_mold.directions, static_cast<int>(k), m_keyPlaces[k]));
     m_pocketPlaces =
         pocketPlaces(settings.pockets, m_mold.directions, m_mold.draftDegrees, block, obstacles,
                      settings.leastSteel, wishes(Placeable::Pocket, settings.pockets.count), pull);
-    return static_cast<int>(m_boltPlaces.size()) == settings.bolts.count &&
-           static_cast<int>(m_slitPlaces.size()) == settings.slits.count &&
-           static_cast<int>(m_keyPlaces.size()) == settings.keys.count &&
-           static_cast<int>(m_pocketPlaces.size()) == settings.pockets.count;
+    return all(m_pocketPlaces, settings.pockets.count);
 }
 
 /// Length of the tails, with what a wall that is not upright takes from them.

@@ -58,7 +58,7 @@ void MoldBuilder::listCavity(const CavityCopy& copy) {
     features.push_back({"cavity",
                         kind.mirrored ? "Cavity, mirrored" : "Cavity",
                         by,
-                        {{"volume", volume(kind.cast)},
+                        {{"volume", kind.volume},
                          {"row", copy.row},
                          {"column", copy.column},
                          {"turn_deg", degrees(kind.turn)}},

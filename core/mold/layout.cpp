@@ -3,8 +3,7 @@
 
 #include "castability/certificate.h"
 #include "castability/float_rounding.h"
-
-#include <Eigen/Geometry>
+#include "mesh/measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,6 +191,8 @@ private:
 
 CavityKind cavityKind(IndexedMesh cast, SideLabels labels) {
     CavityKind kind;
+    kind.box = boundingBox(cast);
+    kind.volume = volume(cast);
     kind.hull = planHull(cast.V);
     kind.outlines = outlinesOf(cast, labels);
     kind.cast = std::move(cast);

@@ -8,6 +8,8 @@
 #include "mold/gates.h"
 #include "mold/mold_settings.h"
 
+#include <Eigen/Geometry>
+
 #include <expected>
 #include <vector>
 
@@ -18,6 +20,8 @@ namespace moldwright {
 struct CavityKind {
     IndexedMesh cast; ///< mold's frame, on the grid
     SideLabels labels;
+    Eigen::AlignedBox3d box;             ///< round all of it
+    double volume = 0;                   ///< mm³, of the cast
     PlanShape hull;                      ///< round all of it, seen along the plane's normal
     std::vector<CavityOutline> outlines; ///< its parting curves
     bool mirrored = false;               ///< the opposite-handed part

@@ -137,7 +137,7 @@ Result<void> MoldBuilder::measure() {
     m_mold.blockVolume = m_block.volume();
     m_mold.blockSize = m_block.box().sizes();
     for (const CavityCopy& copy : m_layout.copies)
-        m_mold.cavityVolume += volume(kinds()[copy.kind].cast);
+        m_mold.cavityVolume += kinds()[copy.kind].volume;
     if (settings.hollow.wall > 0) {
         std::vector<double> ofKind;
         for (const CavityKind& kind : kinds())

@@ -224,6 +224,15 @@ Result<Layout> MoldBuilder::layoutOnCircle() const {
     return layout;
 }
 
+PlacedFeatures MoldBuilder::placedAtCavities() const {
+    PlacedFeatures placed = m_mold.settings.placed;
+    std::erase_if(placed, [this](const PlacedFeature& feature) {
+        const bool spout = feature.kind == Placeable::Spout && (lying() || spoutEach());
+        return !spout && feature.kind != Placeable::Vent && feature.kind != Placeable::Ejector;
+    });
+    return placed;
+}
+
 Result<void> MoldBuilder::findEntries() {
     EntryPlan plan;
     plan.settings = &m_mold.settings;

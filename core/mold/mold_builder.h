@@ -34,6 +34,8 @@ public:
     Result<void> setPlaced(const PlacedFeatures& placed);
     /// The cavities' places, and the room that channels need.
     Result<void> layOut();
+    /// Of what stands by hand, what the entries of cavities follow from. Precondition: layOut().
+    [[nodiscard]] PlacedFeatures placedAtCavities() const;
     /// Where cavities are filled, vented, and pushed out.
     Result<void> findEntries();
     /// Wells beside the cavities.
