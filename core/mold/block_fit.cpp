@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The builder's stage that finds room: what stands in the plane, and a block that has place for all of it.
+#include "mold/balanced_runners.h"
 #include "mold/circle_layout.h"
 #include "mold/mold_builder.h"
 #include "mold/star_runners.h"
@@ -72,6 +73,9 @@ void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const 
         addUpwards(m_layout.hub, std::max(funnel, m_widths.main / 2));
         for (const Vector2d& arm : m_layout.arms)
             obstacles.push_back(starArm(m_layout.hub, arm, m_layout.armEnd, m_widths.runner));
+    } else if (balanced()) {
+        addRunnerObstacles(obstacles);
+        addUpwards(m_layout.tree->at, std::max(funnel, m_widths.main / 2));
     } else {
         addRunnerObstacles(obstacles);
         addUpwards({m_layout.mainAxis, m_layout.runnerAxes.front() - m_widths.runner / 2 - m_widths.beside},
@@ -85,9 +89,13 @@ void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
     for (const CavityCopy& copy : m_layout.copies)
         for (const Vector2d& p : kinds()[copy.kind].hull)
             all.extend(Vector2d(p + copy.offset));
-    for (const double axis : m_layout.runnerAxes)
-        obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
-                                          {all.max().x() + widths.gate, axis + widths.runner / 2}));
+    if (balanced())
+        for (PlanShape& strip : stripsOf(*m_layout.tree, treeWidths(widths)))
+            obstacles.push_back(std::move(strip));
+    else
+        for (const double axis : m_layout.runnerAxes)
+            obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
+                                              {all.max().x() + widths.gate, axis + widths.runner / 2}));
     for (const CavityCopy& copy : m_layout.copies)
         for (const Gate& gate : (*m_entries)[copy.kind].gates) {
             const Vector2d tip = gate.tip + copy.offset;
@@ -140,6 +148,8 @@ void MoldBuilder::addChannelContent(BlockContent& content, double wallY) const {
             m_layout.hub.y() + starHub(static_cast<int>(m_layout.arms.size()), widths.runner, widths.main);
         content.spoutTop =
             bottom + widths.beside + spoutLength(spout(), widths.main, widths.straight()) + tail;
+    } else if (balanced()) {
+        addTreeContent(content, wallY);
     } else {
         addRunnerContent(content, wallY);
     }
@@ -156,6 +166,21 @@ void MoldBuilder::addRunnerContent(BlockContent& content, double wallY) const {
                     Vector3d(gate.tip.x() + copy.offset.x() + way * (widths.gate / 2 + widths.beside), 0, 0));
     }
     const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
+    content.spoutTop = std::max(
+        top + spoutLength(spout(), widths.main, widths.straight()) + m_end.face - m_end.line, top + wallY);
+}
+
+void MoldBuilder::addTreeContent(BlockContent& content, double wallY) const {
+    const ChannelWidths& widths = m_widths;
+    double top = m_layout.tree->at.y();
+    for (const PlanShape& strip : stripsOf(*m_layout.tree, treeWidths(widths)))
+        for (const Vector2d& p : strip) {
+            content.cavities.extend(Vector3d(p.x(), std::min(p.y(), content.cavities.max().y()), 0));
+            top = std::max(top, p.y());
+        }
+    for (const double way : {-1.0, 1.0})
+        content.cavities.extend(Vector3d(m_layout.tree->at.x() + way * widestOfSpout() / 2, 0, 0));
+    top += widths.beside;
     content.spoutTop = std::max(
         top + spoutLength(spout(), widths.main, widths.straight()) + m_end.face - m_end.line, top + wallY);
 }

@@ -132,7 +132,7 @@ private:
     [[nodiscard]] double columnPitch() const {
         const double box = m_box.sizes().x() + m_settings.spacing;
         if (m_settings.arrangement == Arrangement::Grid)
-            return upToSixteenth(box);
+            return upToSixteenth(box + m_room.column);
         double pitch = 0;
         for (const CavityKind& a : m_kinds)
             for (const CavityKind& b : m_kinds)

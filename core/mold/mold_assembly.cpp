@@ -296,9 +296,9 @@ std::vector<Hollow> MoldBuilder::hollows() const {
         for (Hollow hollow : attached[copy.kind]) {
             hollow.offset = copy.offset;
             hollow.joints = {c};
-            // A bore stays apart from the runners, on a circle vents too; spouts of their own from each
-            // other.
-            if (!spoutEach() && hollow.name != ejectorName && (!star() || hollow.name != "Vent"))
+            // A bore stays apart from the runners, where they are one prism vents too; spouts of their own
+            // from each other.
+            if (!spoutEach() && hollow.name != ejectorName && (!inOnePrism() || hollow.name != "Vent"))
                 hollow.joints.push_back(net);
             all.push_back(std::move(hollow));
         }
@@ -312,7 +312,7 @@ std::vector<Hollow> MoldBuilder::hollows() const {
                        main,
                        main ? 1 : 0,
                        main,
-                       main && !star() && isByHand(Placeable::Spout, 0)});
+                       main && !inOnePrism() && isByHand(Placeable::Spout, 0)});
     }
     addOverflows(all);
     const auto add = [&](const char* name, IndexedMesh mesh, bool opensOutside, Placeable kind, int number) {
