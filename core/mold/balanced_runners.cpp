@@ -48,6 +48,16 @@ Result<std::vector<Vector2d>> tipsOf(const std::vector<CavityKind>& kinds, doubl
     return tips;
 }
 
+/// How near a joint of two ways may stand to the end of either, mm.
+double nearestJoint(const ChannelWidths& widths) {
+    return widths.runner + widths.beside;
+}
+
+/// The same as it is laid out: gates are moved a little where a joint with the cavity asks for it.
+double roomyJoint(const ChannelWidths& widths) {
+    return nearestJoint(widths) + 0.2 * widths.gate;
+}
+
 /// What one column takes in x, from its cavities' origin; mm.
 struct Column {
     double left = 0;
@@ -63,6 +73,8 @@ Column columnOf(const AlignedBox2d& box, const std::vector<Vector2d>& tips, cons
         column.left = std::min(column.left, tip.x() - beyond);
         column.right = std::max(column.right, tip.x() + beyond);
     }
+    // Small cavities stand so far apart that a channel has room between their gates.
+    column.right = std::max(column.right, column.left + 2 * roomyJoint(widths) - settings.spacing);
     if (settings.rows == 1)
         return column;
     // A gate at a cavity's very edge stays clear of the first channel.
@@ -79,7 +91,7 @@ Column columnOf(const AlignedBox2d& box, const std::vector<Vector2d>& tips, cons
 /// The channels of a layout whose gates are at `tips`.
 Result<ChannelBranch> treeOver(const Layout& layout, const std::vector<Vector2d>& tips,
                                const ChannelWidths& widths) {
-    const double least = widths.runner + widths.beside;
+    const double least = nearestJoint(widths);
     const int columns = layout.copies.back().column + 1;
     std::optional<ChannelBranch> tree;
     std::vector<ChannelBranch> ends;
@@ -136,7 +148,9 @@ Result<Layout> balancedLayout(const std::vector<CavityKind>& kinds, const Layout
     const Column column = columnOf(box, *tips, settings, widths);
     LayoutSettings straight = settings;
     straight.arrangement = Arrangement::Grid;
-    const RunnerRoom room{widths.room().row, 0, box.min().x() - column.left + column.right - box.max().x()};
+    RunnerRoom room{widths.room().row, 0, box.min().x() - column.left + column.right - box.max().x()};
+    if (settings.rows > 1)
+        room.row = std::max(room.row, 2 * (roomyJoint(widths) - settings.spacing) - box.sizes().y());
     Layout layout = layoutOf(kinds, straight, room);
     // The middle of all, channels included.
     const double low = layout.copies.front().offset.x() + column.left;

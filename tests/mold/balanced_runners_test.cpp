@@ -109,6 +109,18 @@ TEST(BalancedRunners, FillAllCavitiesOverWaysOfOneLength) {
     }
 }
 
+TEST(BalancedRunners, HaveRoomBetweenSmallCavitiesToo) {
+    for (const auto& [rows, columns] : {std::pair{1, 4}, {4, 2}}) {
+        MoldSettings settings = balancedGrid(rows, columns);
+        settings.layout.spacing = 2;
+        settings.spout.diameter = 14;
+        const Result<Mold> mold = moldOf(frusta(7, 4, 3, 2, lean), settings);
+        expectVerified(mold);
+        expectWaysOfOneLength(*mold);
+        EXPECT_GE(mold->minWall, mold->settings.leastSteel - 1e-6);
+    }
+}
+
 TEST(BalancedRunners, LeaveAlongDirectionsOffTheNormal) {
     for (const auto& [rows, columns] : {std::pair{2, 2}, {1, 4}}) {
         const Result<Mold> mold = moldOf(sheared(ball(12, 4), 0.3, -0.2), balancedGrid(rows, columns));
