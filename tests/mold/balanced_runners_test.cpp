@@ -114,6 +114,7 @@ TEST(BalancedRunners, HaveRoomBetweenSmallCavitiesToo) {
         MoldSettings settings = balancedGrid(rows, columns);
         settings.layout.spacing = 2;
         settings.spout.diameter = 14;
+        settings.spout.gate = 2;
         const Result<Mold> mold = moldOf(frusta(7, 4, 3, 2, lean), settings);
         expectVerified(mold);
         expectWaysOfOneLength(*mold);
