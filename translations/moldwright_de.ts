@@ -1710,6 +1710,22 @@
         <source>Tilt the mold by {0}° towards {1} while it is filled: trapped air falls from {3} to {2} mm³.</source>
         <translation>Neigen Sie die Form beim Füllen um {0}° zu {1}: Die eingeschlossene Luft fällt von {3} auf {2} mm³.</translation>
     </message>
+    <message>
+        <source>Balanced runners part in two at each joint: rows and columns must each be 1, 2, 4, 8 or another power of two. Here there are {0} and {1}.</source>
+        <translation>Ausgeglichene Verteilerkanäle teilen sich an jeder Verbindung in zwei: Zeilen und Spalten müssen je 1, 2, 4, 8 oder eine andere Zweierpotenz sein. Hier sind es {0} und {1}.</translation>
+    </message>
+    <message>
+        <source>Balanced runners lead along straight columns: they need a grid, not rows that are moved against each other.</source>
+        <translation>Ausgeglichene Verteilerkanäle führen an geraden Spalten entlang: Sie brauchen ein Raster, keine gegeneinander versetzten Zeilen.</translation>
+    </message>
+    <message>
+        <source>Balanced runners fill each cavity at one place. This cast is of {0} solids: take the shortest runners, or fill it through half 1.</source>
+        <translation>Ausgeglichene Verteilerkanäle füllen jede Kavität an einer Stelle. Dieses Gussteil besteht aus {0} Körpern: Nehmen Sie die kürzesten Verteilerkanäle, oder füllen Sie durch Hälfte 1.</translation>
+    </message>
+    <message>
+        <source>The gates of every second cavity stand too far aside for runners of one length. Take copies that are all alike, or the shortest runners.</source>
+        <translation>Die Anschnitte jeder zweiten Kavität liegen für gleich lange Verteilerkanäle zu weit seitlich. Nehmen Sie lauter gleiche Kopien oder die kürzesten Verteilerkanäle.</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -2303,6 +2319,22 @@
     <message>
         <source>Halves 1 and 2</source>
         <translation>Hälften 1 und 2</translation>
+    </message>
+    <message>
+        <source>Runners</source>
+        <translation>Verteilerkanäle</translation>
+    </message>
+    <message>
+        <source>From a spout in the parting plane to cavities in rows and columns: the shortest, or all ways equally long, so that the cavities fill together.</source>
+        <translation>Vom Einguss in der Teilungsebene zu Kavitäten in Zeilen und Spalten: die kürzesten, oder alle Wege gleich lang, damit sich die Kavitäten zugleich füllen.</translation>
+    </message>
+    <message>
+        <source>Shortest</source>
+        <translation>Die kürzesten</translation>
+    </message>
+    <message>
+        <source>Equally long</source>
+        <translation>Gleich lang</translation>
     </message>
 </context>
 <context>

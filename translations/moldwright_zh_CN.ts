@@ -1710,6 +1710,22 @@
         <source>Tilt the mold by {0}° towards {1} while it is filled: trapped air falls from {3} to {2} mm³.</source>
         <translation>充填时请将模具向{1}倾斜 {0}°：残留空气由 {3} 降到 {2} mm³。</translation>
     </message>
+    <message>
+        <source>Balanced runners part in two at each joint: rows and columns must each be 1, 2, 4, 8 or another power of two. Here there are {0} and {1}.</source>
+        <translation>平衡流道在每个接点一分为二：行数和列数都必须是 1、2、4、8 或其他 2 的幂。这里分别是 {0} 和 {1}。</translation>
+    </message>
+    <message>
+        <source>Balanced runners lead along straight columns: they need a grid, not rows that are moved against each other.</source>
+        <translation>平衡流道沿直列布置：需要网格排列，而不是相互错开的行。</translation>
+    </message>
+    <message>
+        <source>Balanced runners fill each cavity at one place. This cast is of {0} solids: take the shortest runners, or fill it through half 1.</source>
+        <translation>平衡流道在一处充填每个型腔。此铸件由 {0} 个实体组成：请采用最短流道，或通过半模 1 充填。</translation>
+    </message>
+    <message>
+        <source>The gates of every second cavity stand too far aside for runners of one length. Take copies that are all alike, or the shortest runners.</source>
+        <translation>每隔一个型腔的浇口偏得太远，无法做成等长流道。请采用完全相同的型腔，或最短流道。</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>
@@ -2303,6 +2319,22 @@
     <message>
         <source>Halves 1 and 2</source>
         <translation>半模 1 和 2</translation>
+    </message>
+    <message>
+        <source>Runners</source>
+        <translation>流道</translation>
+    </message>
+    <message>
+        <source>From a spout in the parting plane to cavities in rows and columns: the shortest, or all ways equally long, so that the cavities fill together.</source>
+        <translation>从分型面内的浇道到成行成列的型腔：最短，或所有路径等长，使各型腔同时充满。</translation>
+    </message>
+    <message>
+        <source>Shortest</source>
+        <translation>最短</translation>
+    </message>
+    <message>
+        <source>Equally long</source>
+        <translation>等长</translation>
     </message>
 </context>
 <context>

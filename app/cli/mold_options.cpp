@@ -116,6 +116,9 @@ void MoldOptions::declareChannels(CLI::App& app) {
     length(app, "--neck", neck, "Width at which a spout through a half breaks off");
     app.add_option("--pour", pour, "Which way is up while filling, as a turn of the cast in degrees")
         ->check(CLI::IsMember({"auto", "0", "90", "180", "270"}));
+    app.add_option("--runners", runners,
+                   "From the spout to cavities in rows and columns: the shortest, or all ways equally long")
+        ->check(CLI::IsMember({"shortest", "balanced"}));
     length(app, "--spout-diameter", spoutDiameter, "Width of spout and main runner");
     length(app, "--funnel", funnel, "Width of the spout at the block's face");
     length(app, "--gate", gate, "Width where it meets the cavity");
@@ -295,6 +298,8 @@ Result<void> MoldOptions::applyChannels(MoldSettings& settings) const {
         settings.spout.resting = spout == "through" ? Resting::Lying : Resting::Standing;
     if (!pour.empty())
         settings.spout.pour = pours.at(pour);
+    if (!runners.empty())
+        settings.spout.runners = runners == "balanced" ? Runners::Balanced : Runners::Shortest;
     if (spoutDiameter) {
         // Gate and funnel keep their proportion unless they are given.
         settings.spout.gate *= *spoutDiameter / settings.spout.diameter;

@@ -54,7 +54,7 @@ private:
     std::optional<double> spacing;
     std::vector<double> shrink, shrinkOrigin;
     std::string shrinkFormula;
-    std::string spout, pour, vents;
+    std::string spout, pour, vents, runners;
     std::optional<double> spoutDiameter, funnel, gate, spoutDraft, ventDiameter, ventDepth, smallestTrap;
     std::optional<int> keys, slits;
     std::optional<double> keyDiameter, keyHeight, keyClearance, keyLean, slitDepth, slitWidth, slitHeight;

@@ -189,6 +189,15 @@ MoldFieldSection fillingFields() {
               mold.spout.on = value.toInt() != 0;
               mold.spout.resting = value.toInt() == 2 ? Resting::Lying : Resting::Standing;
           }},
+         {{u"runners"_s, Words::tr("Runners"),
+           Words::tr(
+               "From a spout in the parting plane to cavities in rows and columns: the shortest, or all "
+               "ways equally long, so that the cavities fill together."),
+           ChoiceProperty{{Words::tr("Shortest"), Words::tr("Equally long")}}},
+          [](const MoldSettings& mold) { return mold.spout.runners == Runners::Balanced ? 1.0 : 0.0; },
+          [](MoldSettings& mold, const QVariant& value) {
+              mold.spout.runners = value.toInt() != 0 ? Runners::Balanced : Runners::Shortest;
+          }},
          numberField(u"spout-diameter"_s, Words::tr("Spout's width"),
                      Words::tr("In the parting plane; of one through half 1, above its neck."),
                      millimetres(2, 60), [](auto& mold) -> auto& { return mold.spout.diameter; }),

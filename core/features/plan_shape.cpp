@@ -28,6 +28,19 @@ bool segmentsCross(const Vector2d& a, const Vector2d& b, const Vector2d& c, cons
     return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
 }
 
+/// Of the outline of a polygon from a segment; 0 where they cross. Of the segment's ends only the first is
+/// measured: the second is the next one's.
+double distanceToEdge(const PlanShape& a, const Vector2d& from, const Vector2d& to) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const Vector2d& next = a[(i + 1) % a.size()];
+        if (segmentsCross(a[i], next, from, to))
+            return 0;
+        least = std::min({least, distanceToSegment(a[i], from, to), distanceToSegment(from, a[i], next)});
+    }
+    return least;
+}
+
 } // namespace
 
 PlanShape planHull(const Points& V) {
@@ -59,14 +72,17 @@ double planDistance(const PlanShape& a, const PlanShape& b) {
     if (insidePlan(a, b.front()) || insidePlan(b, a.front()))
         return 0;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const Vector2d& a1 = a[(i + 1) % a.size()];
-            const Vector2d& b1 = b[(j + 1) % b.size()];
-            if (segmentsCross(a[i], a1, b[j], b1))
-                return 0;
-            least = std::min({least, distanceToSegment(a[i], b[j], b1), distanceToSegment(b[j], a[i], a1)});
-        }
+    for (std::size_t j = 0; j < b.size() && least > 0; ++j)
+        least = std::min(least, distanceToEdge(a, b[j], b[(j + 1) % b.size()]));
+    return least;
+}
+
+double planDistanceTo(const PlanShape& shape, const Vector2d& p) {
+    if (insidePlan(shape, p))
+        return 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < shape.size(); ++k)
+        least = std::min(least, distanceToSegment(p, shape[k], shape[(k + 1) % shape.size()]));
     return least;
 }
 
@@ -77,7 +93,17 @@ bool planKeepsClear(const PlanShape& a, const PlanShape& b, double distance) {
         boxA.extend(p);
     for (const Vector2d& p : b)
         boxB.extend(p);
-    return boxA.exteriorDistance(boxB) >= distance || planDistance(a, b) >= distance;
+    if (boxA.exteriorDistance(boxB) >= distance)
+        return true;
+    if (insidePlan(a, b.front()) || insidePlan(b, a.front()))
+        return false;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+        const Vector2d& to = b[(j + 1) % b.size()];
+        const Eigen::AlignedBox2d edge(b[j].cwiseMin(to), b[j].cwiseMax(to));
+        if (boxA.exteriorDistance(edge) < distance && distanceToEdge(a, b[j], to) < distance)
+            return false;
+    }
+    return true;
 }
 
 bool insidePlan(const PlanShape& shape, const Vector2d& p) {

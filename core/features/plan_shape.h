@@ -18,6 +18,9 @@ using PlanShape = std::vector<Eigen::Vector2d>;
 /// Least distance between the areas of two polygons, mm; 0 where they meet.
 [[nodiscard]] double planDistance(const PlanShape& a, const PlanShape& b);
 
+/// The same of a place from the area of a polygon.
+[[nodiscard]] double planDistanceTo(const PlanShape& shape, const Eigen::Vector2d& p);
+
 /// Whether they are at least `distance` apart; quick where their boxes are.
 [[nodiscard]] bool planKeepsClear(const PlanShape& a, const PlanShape& b, double distance);
 

@@ -14,6 +14,7 @@ namespace moldwright {
 namespace {
 
 using Eigen::AlignedBox2d;
+using Eigen::AlignedBox3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -79,11 +80,26 @@ Result<Block> blockOn(PlanShape outline, const std::array<double, 2>& height, co
     return Block{*std::move(body)};
 }
 
-/// Distance of a point from the plane of a wall on its side of the parting plane; below 0 outside.
-double behindWall(const DraftedPrism& body, std::size_t edge, const Vector3d& p) {
-    const double slope = body.slope[p.z() >= 0 ? 0 : 1][edge];
+/// Distance of a point from the plane of a wall on `side` of the parting plane; below 0 outside.
+double behindWall(const DraftedPrism& body, std::size_t edge, int side, const Vector3d& p) {
+    const double slope = body.slope[side == 1 ? 0 : 1][edge];
     const double along = outwardNormal(body.base, edge).dot(body.base[edge] - p.head<2>());
     return (along - slope * std::abs(p.z())) / std::hypot(1, slope);
+}
+
+int sideOf(const Vector3d& p) {
+    return p.z() >= 0 ? 1 : 2;
+}
+
+/// The corner of a box on `side` of the parting plane that is nearest to a wall: what a wall's distance is
+/// made from only grows away from there, rounding included.
+Vector3d cornerTowards(const DraftedPrism& body, std::size_t edge, int side, const AlignedBox3d& box) {
+    const Vector2d outwards = outwardNormal(body.base, edge);
+    const bool narrows = body.slope[side == 1 ? 0 : 1][edge] > 0;
+    const double far = side == 1 ? box.max().z() : box.min().z();
+    const double near = side == 1 ? std::max(0.0, box.min().z()) : std::min(0.0, box.max().z());
+    return {outwards.x() > 0 ? box.max().x() : box.min().x(),
+            outwards.y() > 0 ? box.max().y() : box.min().y(), narrows ? far : near};
 }
 
 /// How far an outer face that looks along m comes in up to the block's back.
@@ -126,8 +142,8 @@ AlignedBox2d Block::plan() const {
     return box;
 }
 
-Eigen::AlignedBox3d Block::box() const {
-    Eigen::AlignedBox3d box;
+AlignedBox3d Block::box() const {
+    AlignedBox3d box;
     for (std::size_t k = 0; k < body.base.size(); ++k) {
         box.extend(body.foot(k));
         for (const int side : {1, 2})
@@ -143,14 +159,26 @@ double Block::volume() const {
 double Block::depthOf(const Vector3d& p) const {
     double least = std::min(end(1) - p.z(), p.z() - end(2));
     for (std::size_t edge = 0; edge < body.base.size(); ++edge)
-        least = std::min(least, behindWall(body, edge, p));
+        least = std::min(least, behindWall(body, edge, sideOf(p), p));
+    return least;
+}
+
+double Block::depthOf(const AlignedBox3d& box) const {
+    double least = std::min(end(1) - box.max().z(), box.min().z() - end(2));
+    for (const int side : {1, 2}) {
+        if (side == 1 ? box.max().z() < 0 : box.min().z() >= 0)
+            continue;
+        for (std::size_t edge = 0; edge < body.base.size(); ++edge)
+            least = std::min(least, behindWall(body, edge, side, cornerTowards(body, edge, side, box)));
+    }
     return least;
 }
 
 std::optional<std::size_t> Block::wallWith(const std::array<Vector3d, 3>& points, double tolerance) const {
     for (std::size_t edge = 0; edge < body.base.size(); ++edge)
-        if (std::all_of(points.begin(), points.end(),
-                        [&](const Vector3d& p) { return std::abs(behindWall(body, edge, p)) <= tolerance; }))
+        if (std::all_of(points.begin(), points.end(), [&](const Vector3d& p) {
+                return std::abs(behindWall(body, edge, sideOf(p), p)) <= tolerance;
+            }))
             return edge;
     return std::nullopt;
 }
@@ -183,7 +211,7 @@ Result<std::array<double, 2>> outerFlare(const Vector2d& m, const MoldSettings& 
     return flare;
 }
 
-Block uprightBlock(const Eigen::AlignedBox3d& box) {
+Block uprightBlock(const AlignedBox3d& box) {
     PrismRequest request;
     request.base = planRectangle(box.min().head<2>(), box.max().head<2>());
     request.height = {box.max().z(), -box.min().z()};
@@ -193,7 +221,7 @@ Block uprightBlock(const Eigen::AlignedBox3d& box) {
 
 Result<Block> blockAround(const BlockContent& content, const MoldSettings& settings,
                           const BlockRules& rules) {
-    const Eigen::AlignedBox3d& cast = content.cavities;
+    const AlignedBox3d& cast = content.cavities;
     const double step = settings.step;
     const double grid = rules.grid;
     const std::array<double, 2> height = {

@@ -29,6 +29,8 @@ struct Block {
     [[nodiscard]] double volume() const;
     /// Distance of a point inside from the nearest outer face, mm; below 0 outside.
     [[nodiscard]] double depthOf(const Eigen::Vector3d& p) const;
+    /// The least of all places in a box; none in it has less, to the bit.
+    [[nodiscard]] double depthOf(const Eigen::AlignedBox3d& box) const;
     /// The same of a place in the plane from the walls, where they come nearest at any height.
     [[nodiscard]] double depthOf(const Eigen::Vector2d& p) const;
     /// The wall (edge of the outline) that all three points lie on but for `tolerance` mm, if one does.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The builder's stage that finds room: what stands in the plane, and a block that has place for all of it.
-#include "mesh/measures.h"
+#include "mold/balanced_runners.h"
 #include "mold/circle_layout.h"
 #include "mold/mold_builder.h"
 #include "mold/star_runners.h"
@@ -73,6 +73,9 @@ void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const 
         addUpwards(m_layout.hub, std::max(funnel, m_widths.main / 2));
         for (const Vector2d& arm : m_layout.arms)
             obstacles.push_back(starArm(m_layout.hub, arm, m_layout.armEnd, m_widths.runner));
+    } else if (balanced()) {
+        addRunnerObstacles(obstacles);
+        addUpwards(m_layout.tree->at, std::max(funnel, m_widths.main / 2));
     } else {
         addRunnerObstacles(obstacles);
         addUpwards({m_layout.mainAxis, m_layout.runnerAxes.front() - m_widths.runner / 2 - m_widths.beside},
@@ -86,9 +89,13 @@ void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
     for (const CavityCopy& copy : m_layout.copies)
         for (const Vector2d& p : kinds()[copy.kind].hull)
             all.extend(Vector2d(p + copy.offset));
-    for (const double axis : m_layout.runnerAxes)
-        obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
-                                          {all.max().x() + widths.gate, axis + widths.runner / 2}));
+    if (balanced())
+        for (PlanShape& strip : stripsOf(*m_layout.tree, treeWidths(widths)))
+            obstacles.push_back(std::move(strip));
+    else
+        for (const double axis : m_layout.runnerAxes)
+            obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
+                                              {all.max().x() + widths.gate, axis + widths.runner / 2}));
     for (const CavityCopy& copy : m_layout.copies)
         for (const Gate& gate : (*m_entries)[copy.kind].gates) {
             const Vector2d tip = gate.tip + copy.offset;
@@ -102,11 +109,9 @@ Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     BlockContent content;
     content.wallX = wallX;
     content.wallY = wallY;
-    std::vector<Eigen::AlignedBox3d> ofKind;
-    for (const CavityKind& kind : kinds())
-        ofKind.push_back(boundingBox(kind.cast));
     for (const CavityCopy& copy : m_layout.copies)
-        content.cavities.extend(ofKind[copy.kind].translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
+        content.cavities.extend(
+            kinds()[copy.kind].box.translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
     const double depth = std::max(m_mold.settings.floor, m_mold.settings.ceiling) + m_mold.settings.step;
     const std::array<double, 2> ends = {content.cavities.max().z() + depth,
                                         content.cavities.min().z() - depth};
@@ -143,6 +148,8 @@ void MoldBuilder::addChannelContent(BlockContent& content, double wallY) const {
             m_layout.hub.y() + starHub(static_cast<int>(m_layout.arms.size()), widths.runner, widths.main);
         content.spoutTop =
             bottom + widths.beside + spoutLength(spout(), widths.main, widths.straight()) + tail;
+    } else if (balanced()) {
+        addTreeContent(content, wallY);
     } else {
         addRunnerContent(content, wallY);
     }
@@ -159,6 +166,21 @@ void MoldBuilder::addRunnerContent(BlockContent& content, double wallY) const {
                     Vector3d(gate.tip.x() + copy.offset.x() + way * (widths.gate / 2 + widths.beside), 0, 0));
     }
     const double top = m_layout.runnerAxes.back() + widths.runner / 2 + widths.beside;
+    content.spoutTop = std::max(
+        top + spoutLength(spout(), widths.main, widths.straight()) + m_end.face - m_end.line, top + wallY);
+}
+
+void MoldBuilder::addTreeContent(BlockContent& content, double wallY) const {
+    const ChannelWidths& widths = m_widths;
+    double top = m_layout.tree->at.y();
+    for (const PlanShape& strip : stripsOf(*m_layout.tree, treeWidths(widths)))
+        for (const Vector2d& p : strip) {
+            content.cavities.extend(Vector3d(p.x(), std::min(p.y(), content.cavities.max().y()), 0));
+            top = std::max(top, p.y());
+        }
+    for (const double way : {-1.0, 1.0})
+        content.cavities.extend(Vector3d(m_layout.tree->at.x() + way * widestOfSpout() / 2, 0, 0));
+    top += widths.beside;
     content.spoutTop = std::max(
         top + spoutLength(spout(), widths.main, widths.straight()) + m_end.face - m_end.line, top + wallY);
 }
@@ -204,30 +226,36 @@ void MoldBuilder::addByHand(Obstacles& obstacles, const Block& block) const {
 bool MoldBuilder::placeOn(const Block& block) {
     const MoldSettings& settings = m_mold.settings;
     const auto wishes = [&](Placeable kind, int count) { return wishesFor(settings.placed, kind, count); };
+    const auto all = [](const std::vector<Vector2d>& places, int count) {
+        return static_cast<int>(places.size()) == count;
+    };
     Obstacles obstacles = planObstacles(block);
     addByHand(obstacles, block);
     const Pull pull = settings.shape == BlockShape::Shell ? Pull::Inwards : Pull::Outwards;
     m_boltPlaces =
         boltPlaces(settings.bolts, block, obstacles, wishes(Placeable::Bolt, settings.bolts.count), pull);
+    if (!all(m_boltPlaces, settings.bolts.count))
+        return false;
     // What comes later keeps the bolts' steel to them, where that is more than its own.
     const double more = std::max(0.0, settings.bolts.clear - settings.leastSteel);
     for (const Vector2d& place : m_boltPlaces)
         obstacles.push_back(boltRoom(settings.bolts, place, more));
     m_slitPlaces = slitPlaces(settings.slits, block, obstacles, settings.leastSteel,
                               wishes(Placeable::Slit, settings.slits.count), pull);
+    if (!all(m_slitPlaces, settings.slits.count))
+        return false;
     for (const Vector2d& place : m_slitPlaces)
         obstacles.push_back(slitShape(settings.slits, place));
     m_keyPlaces = keyPlaces(settings.keys, m_mold.directions, block, obstacles, settings.leastSteel,
                             wishes(Placeable::Key, settings.keys.count), pull);
+    if (!all(m_keyPlaces, settings.keys.count))
+        return false;
     for (std::size_t k = 0; k < m_keyPlaces.size(); ++k)
         obstacles.push_back(keyRoom(settings.keys, m_mold.directions, static_cast<int>(k), m_keyPlaces[k]));
     m_pocketPlaces =
         pocketPlaces(settings.pockets, m_mold.directions, m_mold.draftDegrees, block, obstacles,
                      settings.leastSteel, wishes(Placeable::Pocket, settings.pockets.count), pull);
-    return static_cast<int>(m_boltPlaces.size()) == settings.bolts.count &&
-           static_cast<int>(m_slitPlaces.size()) == settings.slits.count &&
-           static_cast<int>(m_keyPlaces.size()) == settings.keys.count &&
-           static_cast<int>(m_pocketPlaces.size()) == settings.pockets.count;
+    return all(m_pocketPlaces, settings.pockets.count);
 }
 
 /// Length of the tails, with what a wall that is not upright takes from them.

@@ -296,7 +296,7 @@ private:
             bodies.empty() ? m_kind.cast : joinedSolid(m_kind.cast, {inOne(bodies)}, request);
         if (!joined)
             return false;
-        m_result.stubVolume = volume(*joined) - volume(m_kind.cast);
+        m_result.stubVolume = volume(*joined) - m_kind.volume;
         m_result.solid = m_result.hollow = openedAt(*joined, request.openings);
         IndexedMesh cut = *joined;
         return cutBores(cut, HalfBore::Use::Spout, m_result.spoutVolume, request) &&

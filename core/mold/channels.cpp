@@ -98,6 +98,27 @@ PlanShape spoutShape(double axis, double bottom, double width, double neckEnd, d
     return shape;
 }
 
+std::size_t addSpoutAbove(PlanShape& outline, double axis, double neckEnd, const SpoutSettings& spout,
+                          const ChannelWidths& widths, const FaceEnd& end) {
+    // Of the spout's own polygon the first two corners are those it has in common with what it leads up from.
+    const PlanShape above =
+        spoutShape(axis, neckEnd - widths.beside, widths.main, neckEnd, end.line, widths.straight(), spout);
+    const std::size_t mouth = outline.size() + above.size() / 2 - 2;
+    outline.insert(outline.end(), above.begin() + 2, above.end());
+    return mouth;
+}
+
+Result<void> carries(const DraftedPrism& channel, const DraftedPrism& stub) {
+    for (const std::size_t side : {0UL, 1UL})
+        if (stub.height[side] > 0.95 * channel.height[side])
+            return failure(ErrorCode::Impossible,
+                           MW_TEXT("Mold",
+                                   "A runner can only be {0} mm deep here, which is too little for the gates "
+                                   "that open into it. Take a wider spout or narrower gates."),
+                           {readable(std::max(channel.height[0], channel.height[1]))});
+    return {};
+}
+
 double spoutLength(const SpoutSettings& spout, double width, double straight) {
     const double full = std::max(spout.diameter, width);
     return (full - width) / 2 + (std::max(spout.funnel, full) - full) / 2 + 2 * straight + 0.5;
@@ -206,12 +227,8 @@ private:
             guestHeight(heightOverWidth * m_widths.runner, main.prism), {{left ? 1UL : 3UL, hostSlope}});
         if (!prism)
             return std::unexpected(prism.error());
-        if (!carriesItsStubs(*prism, row, left))
-            return failure(ErrorCode::Impossible,
-                           MW_TEXT("Mold",
-                                   "A runner can only be {0} mm deep here, which is too little for the gates "
-                                   "that open into it. Take a wider spout or narrower gates."),
-                           {readable(std::max(prism->height[0], prism->height[1]))});
+        if (Result<void> done = carriesItsStubs(*prism, row, left); !done)
+            return done;
         m_net.channels.push_back({*std::move(prism), {}, "Runner"});
         Channel& runner = m_net.channels.back();
         main.guests.push_back({hostEdge, &runner.prism});
@@ -222,14 +239,13 @@ private:
         return {};
     }
 
-    [[nodiscard]] bool carriesItsStubs(const DraftedPrism& runner, std::size_t row, bool left) const {
+    [[nodiscard]] Result<void> carriesItsStubs(const DraftedPrism& runner, std::size_t row, bool left) const {
         for (const CavityCopy& copy : m_layout.copies)
             if (copy.row == static_cast<int>(row) && (copy.column < m_layout.mainColumn) == left)
                 for (const Stub& stub : m_stubs[copy.kind])
-                    for (const std::size_t side : {0UL, 1UL})
-                        if (stub.prism.height[side] > 0.95 * runner.height[side])
-                            return false;
-        return true;
+                    if (Result<void> done = carries(runner, stub.prism); !done)
+                        return done;
+        return {};
     }
     static std::array<double, 2> slopeAt(const DraftedPrism& prism, std::size_t edge) {
         return {prism.stands(1) ? prism.slope[0][edge] : 0, prism.stands(2) ? prism.slope[1][edge] : 0};

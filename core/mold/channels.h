@@ -81,6 +81,14 @@ struct FaceEnd {
 [[nodiscard]] PlanShape spoutShape(double axis, double bottom, double width, double neckEnd, double top,
                                    double straight, const SpoutSettings& spout);
 
+/// Closes an outline with a spout: its last and first corner are those of a channel `widths.main` wide that
+/// leads up, about `axis`, as far as the neck's end and on from there. The edge that is its mouth.
+std::size_t addSpoutAbove(PlanShape& outline, double axis, double neckEnd, const SpoutSettings& spout,
+                          const ChannelWidths& widths, const FaceEnd& end);
+
+/// Whether a stub is low enough for the wall of the channel that it opens into. Errors: Impossible.
+[[nodiscard]] Result<void> carries(const DraftedPrism& channel, const DraftedPrism& stub);
+
 /// Way in y that the spout needs from its neck's end to the tail.
 [[nodiscard]] double spoutLength(const SpoutSettings& spout, double width, double straight);
 

@@ -58,7 +58,7 @@ void MoldBuilder::listCavity(const CavityCopy& copy) {
     features.push_back({"cavity",
                         kind.mirrored ? "Cavity, mirrored" : "Cavity",
                         by,
-                        {{"volume", volume(kind.cast)},
+                        {{"volume", kind.volume},
                          {"row", copy.row},
                          {"column", copy.column},
                          {"turn_deg", degrees(kind.turn)}},
@@ -124,7 +124,7 @@ void MoldBuilder::listChannels() {
                             middleOf(channel.prism),
                             sizesOf(channel.prism),
                             {}};
-        if (channel.name == "Spout" && !star())
+        if (channel.name == "Spout" && !inOnePrism())
             addPlaceable(std::move(feature), {Placeable::Spout, 0, {m_layout.mainAxis, m_end.face}},
                          channel.prism.base);
         else

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace moldwright {
@@ -20,20 +21,41 @@ public:
             m_boxes.emplace_back();
             for (const Vector2d& p : obstacle)
                 m_boxes.back().extend(p);
+            m_discs.push_back(discIn(obstacle, m_boxes.back().center()));
         }
     }
 
     [[nodiscard]] bool clear(const Vector2d& middle) const {
         for (std::size_t i = 0; i < m_obstacles.size(); ++i)
-            if (m_boxes[i].exteriorDistance(middle) < m_radius + m_steel && !clearOf(m_obstacles[i], middle))
+            if (m_boxes[i].exteriorDistance(middle) < m_radius + m_steel &&
+                (meetsDisc(m_discs[i], middle) || !clearOf(m_obstacles[i], middle)))
                 return false;
         return true;
     }
 
 private:
+    /// A circle wholly within an obstacle: no other look is needed at what is near to it.
+    struct Disc {
+        Vector2d middle;
+        double radius = 0; ///< mm; below 0: none
+    };
+    static Disc discIn(const PlanShape& obstacle, const Vector2d& middle) {
+        Disc disc{middle, -1};
+        if (!insidePlan(obstacle, middle))
+            return disc;
+        disc.radius = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < obstacle.size(); ++k)
+            disc.radius = std::min(
+                disc.radius, planDistanceTo({obstacle[k], obstacle[(k + 1) % obstacle.size()]}, middle));
+        return disc;
+    }
+    [[nodiscard]] bool meetsDisc(const Disc& disc, const Vector2d& middle) const {
+        constexpr double rounding = 1e-9; // mm
+        const double surely = m_steel + m_radius * std::cos(std::numbers::pi / circleCorners) - rounding;
+        return disc.radius >= 0 && (middle - disc.middle).norm() - disc.radius < surely;
+    }
     [[nodiscard]] bool clearOf(const PlanShape& obstacle, const Vector2d& middle) const {
-        // A shape of one point: the distance from the area to it.
-        const double away = planDistance({middle}, obstacle) - m_steel;
+        const double away = planDistanceTo(obstacle, middle) - m_steel;
         if (away >= m_radius)
             return true;
         // The polygon lies between its circle and the one that touches its sides.
@@ -45,6 +67,18 @@ private:
     double m_radius;
     double m_steel;
     std::vector<Eigen::AlignedBox2d> m_boxes;
+    std::vector<Disc> m_discs;
+};
+
+/// A place that may be free.
+struct Candidate {
+    double after = 0; ///< the less, the better
+    std::size_t number = 0;
+    Vector2d place;
+
+    [[nodiscard]] bool isBefore(const Candidate& other) const {
+        return after != other.after ? after < other.after : number < other.number;
+    }
 };
 
 } // namespace
@@ -61,23 +95,31 @@ std::optional<Vector2d> nearestFree(const Vector2d& wish, double radius, const B
     const Eigen::AlignedBox2d box = block.plan();
     const Vector2d low = box.min().array() + edge;
     const Vector2d high = box.max().array() - edge;
-    std::vector<Vector2d> candidates;
     const Vector2d start = wish.cwiseMax(low).cwiseMin(high);
     const Vector2d middle = box.center();
+    const double reach = (start - middle).norm() / 2;
+    std::vector<Candidate> candidates;
+    const auto add = [&](const Vector2d& place) {
+        const double after = pull == Pull::Inwards // least far out along the way to the wish
+                                 ? (place - middle).dot(start - middle)
+                                 : (place - start).squaredNorm();
+        candidates.push_back({after, candidates.size(), place});
+    };
     for (double x = low.x(); x <= high.x(); x += searchStep)
-        for (double y = low.y(); y <= high.y(); y += searchStep)
-            if ((Vector2d(x, y) - start).norm() < (start - middle).norm() / 2)
-                candidates.emplace_back(x, y);
-    candidates.push_back(start);
-    std::stable_sort(candidates.begin(), candidates.end(), [&](const Vector2d& a, const Vector2d& b) {
-        if (pull == Pull::Inwards) // least far out along the way to the wish
-            return (a - middle).dot(start - middle) < (b - middle).dot(start - middle);
-        return (a - start).squaredNorm() < (b - start).squaredNorm();
-    });
+        for (double y = low.y(); y <= high.y() && std::abs(x - start.x()) < reach; y += searchStep)
+            if ((Vector2d(x, y) - start).norm() < reach)
+                add({x, y});
+    add(start);
+    // A heap: as a rule one of the first is free.
+    const auto later = [](const Candidate& a, const Candidate& b) { return b.isBefore(a); };
+    std::make_heap(candidates.begin(), candidates.end(), later);
     const CirclesClear circles(obstacles, radius, steel.inside);
-    for (const Vector2d& place : candidates)
+    for (auto end = candidates.end(); end != candidates.begin(); --end) {
+        const Vector2d place = candidates.front().place;
         if (block.depthOf(place) >= edge - 1e-9 && circles.clear(place))
             return place;
+        std::pop_heap(candidates.begin(), end, later);
+    }
     return std::nullopt;
 }
 

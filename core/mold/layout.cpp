@@ -3,8 +3,7 @@
 
 #include "castability/certificate.h"
 #include "castability/float_rounding.h"
-
-#include <Eigen/Geometry>
+#include "mesh/measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +132,7 @@ private:
     [[nodiscard]] double columnPitch() const {
         const double box = m_box.sizes().x() + m_settings.spacing;
         if (m_settings.arrangement == Arrangement::Grid)
-            return upToSixteenth(box);
+            return upToSixteenth(box + m_room.column);
         double pitch = 0;
         for (const CavityKind& a : m_kinds)
             for (const CavityKind& b : m_kinds)
@@ -192,6 +191,8 @@ private:
 
 CavityKind cavityKind(IndexedMesh cast, SideLabels labels) {
     CavityKind kind;
+    kind.box = boundingBox(cast);
+    kind.volume = volume(cast);
     kind.hull = planHull(cast.V);
     kind.outlines = outlinesOf(cast, labels);
     kind.cast = std::move(cast);

@@ -5,10 +5,14 @@
 #include "castability/mold_state.h"
 #include "features/plan_shape.h"
 #include "mesh/indexed_mesh.h"
+#include "mold/channel_tree.h"
 #include "mold/gates.h"
 #include "mold/mold_settings.h"
 
+#include <Eigen/Geometry>
+
 #include <expected>
+#include <optional>
 #include <vector>
 
 namespace moldwright {
@@ -18,6 +22,8 @@ namespace moldwright {
 struct CavityKind {
     IndexedMesh cast; ///< mold's frame, on the grid
     SideLabels labels;
+    Eigen::AlignedBox3d box;             ///< round all of it
+    double volume = 0;                   ///< mm³, of the cast
     PlanShape hull;                      ///< round all of it, seen along the plane's normal
     std::vector<CavityOutline> outlines; ///< its parting curves
     bool mirrored = false;               ///< the opposite-handed part
@@ -66,8 +72,9 @@ struct CavityCopy {
 
 /// Room that runners take in a layout, mm; zero without.
 struct RunnerRoom {
-    double row = 0;  ///< between a row of cavities and the next: the runner that feeds it
-    double main = 0; ///< beside a column: the one that feeds the runners
+    double row = 0;    ///< between a row of cavities and the next: the runner that feeds it
+    double main = 0;   ///< beside a column: the one that feeds the runners
+    double column = 0; ///< beside each column: what leads from it to the spout, all of it
 };
 
 /// Where the cavities stand, the middle of all over the origin; row 0 lowest, column 0 leftmost. With runners
@@ -84,6 +91,11 @@ struct Layout {
     double armEnd = 0;
     std::vector<double> tipRadii;
     double runnerOverKind = 0; ///< mm, y of a row's runner less that of its cavities' offset
+    /// Where all channels are of one length: those beside each column, x from its cavities' offset, and those
+    /// over all columns, y; mm. The tree that they are.
+    std::vector<double> besideColumns;
+    std::vector<double> overColumns;
+    std::optional<ChannelBranch> tree;
 };
 [[nodiscard]] Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings,
                               const RunnerRoom& room);

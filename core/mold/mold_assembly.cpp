@@ -137,7 +137,7 @@ Result<void> MoldBuilder::measure() {
     m_mold.blockVolume = m_block.volume();
     m_mold.blockSize = m_block.box().sizes();
     for (const CavityCopy& copy : m_layout.copies)
-        m_mold.cavityVolume += volume(kinds()[copy.kind].cast);
+        m_mold.cavityVolume += kinds()[copy.kind].volume;
     if (settings.hollow.wall > 0) {
         std::vector<double> ofKind;
         for (const CavityKind& kind : kinds())
@@ -296,9 +296,9 @@ std::vector<Hollow> MoldBuilder::hollows() const {
         for (Hollow hollow : attached[copy.kind]) {
             hollow.offset = copy.offset;
             hollow.joints = {c};
-            // A bore stays apart from the runners, on a circle vents too; spouts of their own from each
-            // other.
-            if (!spoutEach() && hollow.name != ejectorName && (!star() || hollow.name != "Vent"))
+            // A bore stays apart from the runners, where they are one prism vents too; spouts of their own
+            // from each other.
+            if (!spoutEach() && hollow.name != ejectorName && (!inOnePrism() || hollow.name != "Vent"))
                 hollow.joints.push_back(net);
             all.push_back(std::move(hollow));
         }
@@ -312,7 +312,7 @@ std::vector<Hollow> MoldBuilder::hollows() const {
                        main,
                        main ? 1 : 0,
                        main,
-                       main && !star() && isByHand(Placeable::Spout, 0)});
+                       main && !inOnePrism() && isByHand(Placeable::Spout, 0)});
     }
     addOverflows(all);
     const auto add = [&](const char* name, IndexedMesh mesh, bool opensOutside, Placeable kind, int number) {

@@ -4,6 +4,7 @@
 #include "castability/parting_curves.h"
 #include "castability/placed_cast.h"
 #include "mesh/measures.h"
+#include "mold/balanced_runners.h"
 #include "mold/circle_layout.h"
 #include "mold/free_layout.h"
 #include "mold/mold_proof.h"
@@ -191,14 +192,16 @@ Result<Layout> MoldBuilder::layoutAsked() const {
         return freeLayout(kinds(), settings.places, tips, inPlane() ? widestOfSpout() : 0,
                           m_mold.settings.leastSteel);
     }
+    LayoutSettings roomy = settings;
+    roomy.spacing = spacingWithOverflows(m_mold.settings);
+    if (balanced())
+        return balancedLayout(kinds(), roomy, m_widths);
     RunnerRoom room;
     if (inPlane()) {
         room = m_widths.room();
         // A gate at a cavity's very edge stays clear of the main runner.
         room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.spacing + 1);
     }
-    LayoutSettings roomy = settings;
-    roomy.spacing = spacingWithOverflows(m_mold.settings);
     return layoutOf(kinds(), roomy, room);
 }
 
@@ -222,6 +225,15 @@ Result<Layout> MoldBuilder::layoutOnCircle() const {
     Layout layout = circleLayout(kinds(), tips, spacingWithOverflows(m_mold.settings), room);
     centreLayout(layout, kinds());
     return layout;
+}
+
+PlacedFeatures MoldBuilder::placedAtCavities() const {
+    PlacedFeatures placed = m_mold.settings.placed;
+    std::erase_if(placed, [this](const PlacedFeature& feature) {
+        const bool spout = feature.kind == Placeable::Spout && (lying() || spoutEach());
+        return !spout && feature.kind != Placeable::Vent && feature.kind != Placeable::Ejector;
+    });
+    return placed;
 }
 
 Result<void> MoldBuilder::findEntries() {
@@ -278,7 +290,7 @@ Result<JointPlan> MoldBuilder::jointPlan(std::size_t kind) const {
     plan.draftDegrees = m_mold.draftDegrees;
     plan.up = up();
     plan.spout = spoutEach();
-    plan.ventsInPlane = !star();
+    plan.ventsInPlane = !inOnePrism();
     plan.overflows = m_overflows[kind];
     plan.blockEnd = {m_block.end(1), -m_block.end(2)};
     if (inPlane()) {
@@ -306,8 +318,8 @@ Result<void> MoldBuilder::makeJoints(Result<JoinedCavity> (*joined)(const Cavity
         m_stubs.push_back(m_joined.back().stubs);
     }
     if (inPlane() && !spoutEach()) {
-        Result<RunnerNet> net =
-            (star() ? starNet : runnerNet)(m_layout, m_stubs, spout(), m_widths, m_rules, m_end);
+        const auto lay = star() ? starNet : balanced() ? balancedNet : runnerNet;
+        Result<RunnerNet> net = lay(m_layout, m_stubs, spout(), m_widths, m_rules, m_end);
         if (!net)
             return std::unexpected(net.error());
         m_net = *std::move(net);

@@ -34,6 +34,8 @@ public:
     Result<void> setPlaced(const PlacedFeatures& placed);
     /// The cavities' places, and the room that channels need.
     Result<void> layOut();
+    /// Of what stands by hand, what the entries of cavities follow from. Precondition: layOut().
+    [[nodiscard]] PlacedFeatures placedAtCavities() const;
     /// Where cavities are filled, vented, and pushed out.
     Result<void> findEntries();
     /// Wells beside the cavities.
@@ -76,6 +78,14 @@ private:
         return layout.arrangement == Arrangement::Circle && layout.rows * layout.columns > 1;
     }
     [[nodiscard]] bool isFree() const { return m_mold.settings.layout.arrangement == Arrangement::Free; }
+    /// Whether the ways to cavities in rows and columns are of one length.
+    [[nodiscard]] bool balanced() const {
+        const LayoutSettings& layout = m_mold.settings.layout;
+        return spout().runners == Runners::Balanced && inPlane() && !star() && !isFree() &&
+               layout.rows * layout.columns > 1;
+    }
+    /// Whether all of the runners and their spout are one prism, which stands where the cavities ask for it.
+    [[nodiscard]] bool inOnePrism() const { return star() || balanced(); }
     /// Whether a spout in the parting plane leads to each cavity without runners.
     [[nodiscard]] bool spoutEach() const { return single() || isFree(); }
     /// Whether spout and runners lie in the parting plane.
@@ -104,6 +114,7 @@ private:
     void addRunnerObstacles(Obstacles& obstacles) const;
     void addChannelContent(BlockContent& content, double wallY) const;
     void addRunnerContent(BlockContent& content, double wallY) const;
+    void addTreeContent(BlockContent& content, double wallY) const;
     void addByHand(Obstacles& obstacles, const Block& block) const;
     [[nodiscard]] Eigen::AlignedBox2d boxByHand() const;
     /// A hole that leaves a cavity through a half, along its direction.

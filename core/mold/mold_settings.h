@@ -79,6 +79,12 @@ enum class Resting {
     Lying     ///< flat, half 1 above: a spout through half 1 for each solid of each cavity
 };
 
+/// How the channels from one spout in the parting plane to several cavities in rows and columns are laid.
+enum class Runners {
+    Shortest, ///< one along each row, and one that feeds these: the ways differ
+    Balanced  ///< parted in two again and again: all ways are equally long, so the cavities fill together
+};
+
 /// How the mold leans while it is filled, so that less air stays in it.
 struct PourTilt {
     bool automatic = false; ///< as found best; the numbers are not asked
@@ -101,6 +107,7 @@ struct SpoutSettings {
     Resting resting = Resting::Standing;
     double neck = 4; ///< mm; a spout through a half widens outwards, so it must break off here
     PourTilt tilt;
+    Runners runners = Runners::Shortest; ///< on a circle all ways are equally long in any case
 
     bool operator==(const SpoutSettings&) const = default;
 };

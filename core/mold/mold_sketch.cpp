@@ -8,19 +8,6 @@
 
 namespace moldwright {
 
-namespace {
-
-/// Of what is placed by hand, what the entries of cavities follow from.
-PlacedFeatures atCavities(PlacedFeatures placed) {
-    std::erase_if(placed, [](const PlacedFeature& feature) {
-        return feature.kind != Placeable::Spout && feature.kind != Placeable::Vent &&
-               feature.kind != Placeable::Ejector;
-    });
-    return placed;
-}
-
-} // namespace
-
 struct MoldSketcher::State {
     MoldBuilder prepared;
     MoldSettings settings;
@@ -60,7 +47,7 @@ Result<MoldSketch> MoldSketcher::sketch(const PlacedFeatures& placed) {
     Result<void> done = builder.setPlaced(placed);
     if (done)
         done = builder.layOut();
-    const PlacedFeatures ofEntries = atCavities(placed);
+    const PlacedFeatures ofEntries = builder.placedAtCavities();
     if (done && m_state->entries && m_state->entriesPlaced == ofEntries)
         builder.useEntries(m_state->entries);
     else if (done) {

@@ -74,7 +74,7 @@ std::vector<PlanShape> MoldBuilder::besideOverflows(std::size_t kind) const {
         for (const Gate& gate : entries.gates)
             beside.push_back(movedPlan(wayOut(kinds()[of], gate.tip, half), by));
         for (const VentedTrap& vented : entries.traps)
-            if (const auto top = topInPlane(kinds()[of].cast, vented); top && inPlane() && !star())
+            if (const auto top = topInPlane(kinds()[of].cast, vented); top && inPlane() && !inOnePrism())
                 beside.push_back(movedPlan(wayOut(kinds()[of], *top, settings.vents.diameter / 2), by));
     };
     addWays(kind, Vector2d::Zero());

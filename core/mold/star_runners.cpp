@@ -12,28 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-/// A channel that leads from the middle along a direction.
-struct Ray {
-    Vector2d way;
-    double half = 0; ///< of its width
-};
-
-/// Where the left side of one channel meets the right side of the next one, counter-clockwise; none where the
-/// two sides are one line.
-std::optional<Vector2d> cornerBetween(const Ray& a, const Ray& b) {
-    const double turn = cross(a.way, b.way);
-    constexpr double straight = 1e-9;
-    if (std::abs(turn) < straight)
-        return std::nullopt;
-    const Vector2d left = a.half * Vector2d(-a.way.y(), a.way.x());
-    const Vector2d right = b.half * Vector2d(b.way.y(), -b.way.x());
-    return left + a.way * cross(right - left, b.way) / turn;
-}
-
 /// The outline of spout and arms, and which edge each arm ends in.
 struct Star {
     PlanShape outline;
@@ -41,9 +19,10 @@ struct Star {
     std::size_t mouth = 0; ///< the edge along the top, right to left
 };
 
-Star starAbout(const Layout& layout, const SpoutSettings& spout, const ChannelWidths& widths, double top) {
-    const Ray up{Vector2d::UnitY(), widths.main / 2};
-    std::vector<Ray> arms;
+Star starAbout(const Layout& layout, const SpoutSettings& spout, const ChannelWidths& widths,
+               const FaceEnd& face) {
+    const ChannelRay up{Vector2d::UnitY(), widths.main / 2};
+    std::vector<ChannelRay> arms;
     for (const Vector2d& way : layout.arms)
         arms.push_back({way, widths.runner / 2});
     Star star;
@@ -62,12 +41,8 @@ Star starAbout(const Layout& layout, const SpoutSettings& spout, const ChannelWi
             addCorner(cornerBetween(arms[i], arms[i + 1]));
     }
     addCorner(cornerBetween(arms.back(), up));
-    // Of the spout's own polygon the first two corners are those it has in common with the arms.
-    const double bottom = star.outline.back().y();
-    const PlanShape above = spoutShape(layout.hub.x(), bottom, widths.main, bottom + widths.beside, top,
-                                       widths.straight(), spout);
-    star.mouth = star.outline.size() + above.size() / 2 - 2;
-    star.outline.insert(star.outline.end(), above.begin() + 2, above.end());
+    star.mouth = addSpoutAbove(star.outline, layout.hub.x(), star.outline.back().y() + widths.beside, spout,
+                               widths, face);
     return star;
 }
 
@@ -75,7 +50,7 @@ Star starAbout(const Layout& layout, const SpoutSettings& spout, const ChannelWi
 
 double starHub(int count, double arm, double main) {
     double reach = 0;
-    const auto between = [&](const Ray& a, const Ray& b) {
+    const auto between = [&](const ChannelRay& a, const ChannelRay& b) {
         if (const std::optional<Vector2d> corner = cornerBetween(a, b))
             reach = std::max(reach, corner->norm());
     };
@@ -91,7 +66,7 @@ double starHub(int count, double arm, double main) {
 Result<RunnerNet> starNet(const Layout& layout, const std::vector<std::vector<Stub>>& stubsOfKind,
                           const SpoutSettings& spout, const ChannelWidths& widths, const ChannelRules& rules,
                           const FaceEnd& end) {
-    const Star star = starAbout(layout, spout, widths, end.line);
+    const Star star = starAbout(layout, spout, widths, end);
     Result<DraftedPrism> prism =
         rules.prism(star.outline, heightOverWidth * widths.main, {{star.mouth, {0, 0}}});
     if (!prism)
@@ -102,14 +77,8 @@ Result<RunnerNet> starNet(const Layout& layout, const std::vector<std::vector<St
     for (std::size_t i = 0; i < layout.copies.size(); ++i) {
         const CavityCopy& copy = layout.copies[i];
         const Stub& stub = stubsOfKind[copy.kind].front();
-        for (const std::size_t side : {0UL, 1UL})
-            if (stub.prism.height[side] > 0.95 * channel.prism.height[side])
-                return failure(
-                    ErrorCode::Impossible,
-                    MW_TEXT("Mold",
-                            "A runner can only be {0} mm deep here, which is too little for the gates "
-                            "that open into it. Take a wider spout or narrower gates."),
-                    {readable(std::max(channel.prism.height[0], channel.prism.height[1]))});
+        if (Result<void> done = carries(channel.prism, stub.prism); !done)
+            return std::unexpected(done.error());
         channel.guests.push_back({star.ends[i], &stub.prism, copy.offset});
         net.pathLengths.push_back(end.face - layout.hub.y() + layout.tipRadii[i]);
     }

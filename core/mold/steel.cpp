@@ -2,14 +2,15 @@
 #include "mold/steel.h"
 
 #include "base/parallel.h"
-#include "mesh/measures.h"
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
 #include <memory>
+#include <queue>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace moldwright {
@@ -24,12 +25,11 @@ public:
     SteelMeasure(const std::vector<Hollow>& hollows, const Block& block, double furthest,
                  const SteelTrees& trees)
         : m_hollows(hollows), m_block(block), m_furthest(furthest), m_trees(trees) {
-        std::map<const IndexedMesh*, AlignedBox3d> boxes; // copies share their mesh
         for (const Hollow& hollow : hollows) {
-            const auto [box, isNew] = boxes.try_emplace(hollow.mesh.get());
-            if (isNew)
-                box->second = boundingBox(*hollow.mesh);
-            m_boxes.push_back(box->second.translated(shift(hollow)));
+            AlignedBox3d box;
+            for (const PointGroup& group : trees.groupsOf(hollow.mesh))
+                box.extend(group.box);
+            m_boxes.push_back(box.translated(shift(hollow)));
             m_groups.push_back(hollow.name + (hollow.each ? ' ' + std::to_string(hollow.number) : ""));
         }
     }
@@ -49,7 +49,10 @@ public:
     }
 
 private:
+    static constexpr const char* outside = "outside";
+
     static Vector3d shift(const Hollow& hollow) { return {hollow.offset.x(), hollow.offset.y(), 0}; }
+    static Vector3d pointOf(const Hollow& hollow, int v) { return hollow.mesh->point(v) + shift(hollow); }
 
     void note(const std::string& first, const std::string& second, ThinSteel steel) {
         const auto [at, isNew] = m_thinnest.try_emplace(std::minmax(first, second), steel);
@@ -57,25 +60,28 @@ private:
             at->second = std::move(steel);
     }
 
-    /// The block is convex and hollows have flat faces: the nearest place is a point.
+    /// The block is convex and hollows have flat faces: the nearest place is a point. Of several the first.
     void towardsOutside(std::size_t i) {
         const Hollow& hollow = m_hollows[i];
-        ThinSteel least{m_furthest, {}, hollow.name, "outside", hollow.number, 0};
-        for (int v = 0; v < hollow.mesh->vertexCount(); ++v) {
-            const Vector3d p = hollow.mesh->point(v) + shift(hollow);
-            const double wall = m_block.depthOf(p);
-            if (wall < least.thickness) {
-                least.thickness = wall;
-                least.place = p;
-            }
-        }
-        if (least.thickness < m_furthest)
-            note(m_groups[i], "outside", least);
+        const std::vector<PointGroup>& groups = m_trees.groupsOf(hollow.mesh);
+        std::vector<std::pair<double, const PointGroup*>> nearest;
+        for (const PointGroup& group : groups)
+            nearest.emplace_back(m_block.depthOf(group.box.translated(shift(hollow))), &group);
+        std::sort(nearest.begin(), nearest.end());
+        const double before = thinnestSoFar(m_groups[i], outside);
+        std::pair<double, int> least{before, -1};
+        for (const auto& [bound, group] : nearest)
+            if (std::pair(bound, group->points.front()) < least)
+                for (const int v : group->points)
+                    least = std::min(least, {m_block.depthOf(pointOf(hollow, v)), v});
+        if (least.first < before)
+            note(m_groups[i], outside,
+                 {least.first, pointOf(hollow, least.second), hollow.name, outside, hollow.number, 0});
     }
 
-    /// Of their two groups, or the furthest.
-    [[nodiscard]] double thinnestSoFar(std::size_t i, std::size_t j) const {
-        const auto known = m_thinnest.find(std::minmax(m_groups[i], m_groups[j]));
+    /// Of two groups, or the furthest.
+    [[nodiscard]] double thinnestSoFar(const std::string& first, const std::string& second) const {
+        const auto known = m_thinnest.find(std::minmax(first, second));
         return known == m_thinnest.end() ? m_furthest : std::min(m_furthest, known->second.thickness);
     }
 
@@ -97,7 +103,7 @@ private:
     void between(std::size_t i, std::size_t j, double apart) {
         const Hollow& a = m_hollows[i];
         const Hollow& b = m_hollows[j];
-        ThinSteel least{thinnestSoFar(i, j), {}, a.name, b.name, a.number, b.number};
+        ThinSteel least{thinnestSoFar(m_groups[i], m_groups[j]), {}, a.name, b.name, a.number, b.number};
         if (apart >= least.thickness)
             return;
         // Copies of the same two at the same distance have the same steel between them.
@@ -127,23 +133,28 @@ private:
                m_trees.of(small.mesh).holds(large.mesh->point(0) - way);
     }
 
-    /// Points of one hollow against the faces of the other.
+    /// Points of one hollow against the faces of the other. Nearest to their box first: groups of points
+    /// before their points, and most of both need no look once a few are known.
     void fromPoints(const Hollow& points, const Hollow& faces, const AlignedBox3d& box, ThinSteel& least) {
         const ClosestPoint& tree = m_trees.of(faces.mesh);
-        std::vector<std::pair<double, int>> near;
-        for (int v = 0; v < points.mesh->vertexCount(); ++v) {
-            const double bound = box.exteriorDistance(Vector3d(points.mesh->point(v) + shift(points)));
+        const std::vector<PointGroup>& groups = m_trees.groupsOf(points.mesh);
+        using Ahead = std::tuple<double, bool, int>; // least distance, whether a point, which point or group
+        std::priority_queue<Ahead, std::vector<Ahead>, std::greater<>> ahead;
+        const auto look = [&](double bound, bool isPoint, std::size_t which) {
             if (bound < least.thickness)
-                near.emplace_back(bound, v);
-        }
-        // Nearest first, and most need no look once a few are known.
-        std::make_heap(near.begin(), near.end(), std::greater());
-        for (auto end = near.end(); end != near.begin(); --end) {
-            const auto [bound, v] = near.front();
-            if (bound >= least.thickness)
-                break;
-            std::pop_heap(near.begin(), end, std::greater());
-            const Vector3d p = points.mesh->point(v) + shift(points);
+                ahead.emplace(bound, isPoint, static_cast<int>(which));
+        };
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            look(box.exteriorDistance(groups[g].box.translated(shift(points))), false, g);
+        while (!ahead.empty() && std::get<double>(ahead.top()) < least.thickness) {
+            const auto [bound, isPoint, which] = ahead.top();
+            ahead.pop();
+            if (!isPoint) {
+                for (const int v : groups[static_cast<std::size_t>(which)].points)
+                    look(box.exteriorDistance(pointOf(points, v)), true, static_cast<std::size_t>(v));
+                continue;
+            }
+            const Vector3d p = pointOf(points, which);
             const double distance = tree.distance(p - shift(faces));
             if (distance < least.thickness) {
                 least.thickness = distance;
@@ -176,20 +187,21 @@ SteelTrees::SteelTrees(SteelTrees&&) noexcept = default;
 SteelTrees& SteelTrees::operator=(SteelTrees&&) noexcept = default;
 
 void SteelTrees::prepare(const std::vector<Hollow>& hollows) {
-    std::map<SharedMesh, std::unique_ptr<ClosestPoint>> before = std::exchange(m_trees, {});
+    std::map<SharedMesh, std::unique_ptr<Known>> before = std::exchange(m_known, {});
     std::vector<SharedMesh> missing;
     for (const Hollow& hollow : hollows) {
-        std::unique_ptr<ClosestPoint>& tree = m_trees[hollow.mesh];
-        if (tree)
+        std::unique_ptr<Known>& known = m_known[hollow.mesh];
+        if (known)
             continue;
         if (const auto kept = before.find(hollow.mesh); kept != before.end())
-            tree = std::move(kept->second);
+            known = std::move(kept->second);
         else if (std::find(missing.begin(), missing.end(), hollow.mesh) == missing.end())
             missing.push_back(hollow.mesh);
     }
     parallelFor(missing.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            m_trees.at(missing[i]) = std::make_unique<ClosestPoint>(*missing[i]);
+            m_known.at(missing[i]) =
+                std::make_unique<Known>(Known{ClosestPoint(*missing[i]), groupsOfPoints(missing[i]->V)});
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "mesh/closest_point.h"
 #include "mesh/indexed_mesh.h"
+#include "mesh/point_groups.h"
 #include "mold/block.h"
 
 #include <map>
@@ -40,7 +41,8 @@ struct ThinSteel {
     bool operator==(const ThinSteel&) const = default;
 };
 
-/// Trees of boxes about hollows, kept for the next measuring of the same meshes.
+/// Trees of boxes about the faces of hollows and groups of their points, kept for the next measuring of the
+/// same meshes.
 class SteelTrees {
 public:
     SteelTrees();
@@ -51,10 +53,17 @@ public:
     /// Makes what is missing of those about these hollows, side by side; the others are forgotten.
     void prepare(const std::vector<Hollow>& hollows);
     /// Precondition: prepared.
-    [[nodiscard]] const ClosestPoint& of(const SharedMesh& mesh) const { return *m_trees.at(mesh); }
+    [[nodiscard]] const ClosestPoint& of(const SharedMesh& mesh) const { return m_known.at(mesh)->faces; }
+    [[nodiscard]] const std::vector<PointGroup>& groupsOf(const SharedMesh& mesh) const {
+        return m_known.at(mesh)->points;
+    }
 
 private:
-    std::map<SharedMesh, std::unique_ptr<ClosestPoint>> m_trees;
+    struct Known {
+        ClosestPoint faces;
+        std::vector<PointGroup> points;
+    };
+    std::map<SharedMesh, std::unique_ptr<Known>> m_known;
 };
 
 /// The thinnest steel of each pair of hollows, thinnest first; those that are not told of each for itself

@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 5> arrangementNames = {"grid", "staggered
 constexpr std::array<std::string_view, 4> alternationNames = {"none", "turn", "flip", "mirror"};
 constexpr std::array<std::string_view, 3> pocketNames = {"round", "hexagon", "rectangle"};
 constexpr std::array<std::string_view, 2> restingNames = {"standing", "lying"};
+constexpr std::array<std::string_view, 2> runnerNames = {"shortest", "balanced"};
 constexpr std::array<std::string_view, 5> pourNames = {"auto", "0", "90", "180", "270"};
 
 /// Visits each value of the settings with its key, so that writing and reading cannot disagree.
@@ -77,6 +78,7 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"bolts", "diameter"}, mold.bolts.diameter);
     at.value({"bolts", "wall"}, mold.bolts.wall);
     at.value({"bolts", "clear"}, mold.bolts.clear);
+    at.name({"spout", "runners"}, mold.spout.runners, runnerNames);
     at.name({"spout", "resting"}, mold.spout.resting, restingNames);
     at.value({"spout", "neck"}, mold.spout.neck);
     at.value({"spout", "tilt", "automatic"}, mold.spout.tilt.automatic);

@@ -182,6 +182,24 @@ TEST_F(MoldCommands, CavitiesStandOnACircleOrWhereTheyArePut) {
     EXPECT_EQ(built({"--cavity-places", "0,0", "--cavities", "2"}).exitCode, 2);
 }
 
+TEST_F(MoldCommands, RunnersMayBeEquallyLong) {
+    const std::string file = project(m_box);
+    const auto built = [&](const std::string& cavities) {
+        return test::runProgram({"mold", file, "--out", in("out"), "--cavities", cavities, "--spout", "auto",
+                                 "--vents", "auto", "--runners", "balanced", "--json", "-"});
+    };
+    const test::Run grid = built("2x4");
+    ASSERT_EQ(grid.exitCode, 0) << grid.err;
+    const Json paths = Json::parse(grid.out)["path_lengths"];
+    ASSERT_EQ(paths.size(), 8U);
+    for (const Json& path : paths)
+        EXPECT_NEAR(path.get<double>(), paths[0].get<double>(), 1e-9);
+    EXPECT_EQ(verified(Json::parse(grid.out)).exitCode, 0);
+    const test::Run refused = built("3x2");
+    EXPECT_EQ(refused.exitCode, 4);
+    EXPECT_NE(refused.err.find("power of two"), std::string::npos) << refused.err;
+}
+
 TEST_F(MoldCommands, HalvesSwappedDoNotVerify) {
     const std::string file = project(m_box);
     ASSERT_EQ(test::runProgram({"mold", file, "--out", in("out")}).exitCode, 0);

@@ -21,6 +21,7 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     settings.overflows = {2, 8, 2, 3};
     settings.spout.resting = Resting::Lying;
     settings.spout.neck = 2.5;
+    settings.spout.runners = Runners::Balanced;
     settings.hollow.wall = 3;
     settings.shape = BlockShape::Shell;
     settings.outerDraft = -4;
