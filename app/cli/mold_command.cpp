@@ -8,6 +8,7 @@
 #include "mold/mold_files.h"
 #include "mold/plaque.h"
 #include "project/presets.h"
+#include "project/variants.h"
 #include "report/figures.h"
 
 #include <CLI/CLI.hpp>
@@ -113,7 +114,7 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
             !saved)
             return std::unexpected(saved.error());
     settings->plaque.text = plaqueText(settings->plaque.text, project.name);
-    Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, *settings,
+    Result<Mold> mold = buildMold(trayOf(project, project.name), cast.draftDegrees, *settings,
                                   session.task().part(0.1, 0.9));
     if (!mold)
         return std::unexpected(mold.error());
