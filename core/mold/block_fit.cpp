@@ -86,6 +86,7 @@ void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
     for (const CavityCopy& copy : m_layout.copies)
         for (const Vector2d& p : kinds()[copy.kind].hull)
             all.extend(Vector2d(p + copy.offset));
+    all.extend(Vector2d(m_layout.mainAxis, all.center().y())); // staggered, it stands beside all of them
     for (const double axis : m_layout.runnerAxes)
         obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
                                           {all.max().x() + widths.gate, axis + widths.runner / 2}));
