@@ -188,7 +188,7 @@ static void liveDrag(benchmark::State& state) {
         if (!sketch)
             return state.SkipWithError(sketch.error().english().c_str());
     }
-    state.counters["faces"] = cast.faceCount();
+    state.counters["faces"] = cast->faceCount();
     state.counters["cavities"] = side * side;
     state.counters["worst_ms"] = 1e3 * worst;
     state.counters["updates_per_s"] = 1 / worst;
