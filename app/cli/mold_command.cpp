@@ -91,6 +91,18 @@ void describe(const Mold& mold, std::ostream& out) {
             << readable(100 * mold.savedVolume / (mold.savedVolume + mold.blockVolume), 2) << " %.\n";
 }
 
+/// What came of it, on the terminal and as JSON.
+Result<ExitCode> told(const Mold& mold, const Session& session) {
+    describe(mold, session.out());
+    for (const Message& note : mold.notes)
+        session.tell(note);
+    for (const std::string& problem : mold.problems)
+        session.tell({problem, {}});
+    if (const Result<void> written = session.writeJson(Json::parse(moldJson(mold))); !written)
+        return std::unexpected(written.error());
+    return mold.verified() ? ExitCode::Yes : ExitCode::No;
+}
+
 std::string namesOf(const Tray& tray) {
     std::string names;
     for (const TrayPart& part : tray)
@@ -136,14 +148,7 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
         !written)
         return std::unexpected(written.error());
     session.task().progress(1, "Done");
-    describe(*mold, session.out());
-    for (const Message& note : mold->notes)
-        session.tell(note);
-    for (const std::string& problem : mold->problems)
-        session.tell({problem, {}});
-    if (const Result<void> written = session.writeJson(Json::parse(moldJson(*mold))); !written)
-        return std::unexpected(written.error());
-    return mold->verified() ? ExitCode::Yes : ExitCode::No;
+    return told(*mold, session);
 }
 
 constexpr const char* manual =
