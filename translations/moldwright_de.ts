@@ -1726,6 +1726,30 @@
         <source>The gates of every second cavity stand too far aside for runners of one length. Take copies that are all alike, or the shortest runners.</source>
         <translation>Die Anschnitte jeder zweiten Kavität liegen für gleich lange Verteilerkanäle zu weit seitlich. Nehmen Sie lauter gleiche Kopien oder die kürzesten Verteilerkanäle.</translation>
     </message>
+    <message>
+        <source>A mold cannot have {0} cavities of {1}: 1 to {2} are possible.</source>
+        <translation>Eine Form kann nicht {0} Kavitäten von {1} haben: möglich sind 1 bis {2}.</translation>
+    </message>
+    <message>
+        <source>The free layout has {0} places; the parts of this mold ask for {1}.</source>
+        <translation>Die freie Anordnung hat {0} Plätze; die Teile dieser Form verlangen {1}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot stand in this mold: along the mold&apos;s removal directions its faces would leave with {1}° at best, {2}° are required. Design both parts with directions normal to the plane, or with the same ones.</source>
+        <translation>{0} kann nicht in dieser Form stehen: Entlang der Entformungsrichtungen der Form kämen seine Flächen bestenfalls mit {1}° heraus, verlangt sind {2}°. Beide Teile mit Richtungen senkrecht zur Ebene entwerfen, oder mit denselben.</translation>
+    </message>
+    <message>
+        <source>{0} cannot stand in this mold. {1} Finish its cast first.</source>
+        <translation>{0} kann nicht in dieser Form stehen. {1} Erst seinen Guss fertigstellen.</translation>
+    </message>
+    <message>
+        <source>Every second cavity can be another one only where all are of one part.</source>
+        <translation>Jede zweite Kavität kann nur dort eine andere sein, wo alle von einem Teil sind.</translation>
+    </message>
+    <message>
+        <source>The layout has {0} × {1} cavities instead of {2} × {3}, so that each part has its number.</source>
+        <translation>Die Anordnung hat {0} × {1} statt {2} × {3} Kavitäten, damit jedes Teil seine Anzahl hat.</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>

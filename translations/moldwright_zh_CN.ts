@@ -1726,6 +1726,30 @@
         <source>The gates of every second cavity stand too far aside for runners of one length. Take copies that are all alike, or the shortest runners.</source>
         <translation>每隔一个型腔的浇口偏得太远，无法做成等长流道。请采用完全相同的型腔，或最短流道。</translation>
     </message>
+    <message>
+        <source>A mold cannot have {0} cavities of {1}: 1 to {2} are possible.</source>
+        <translation>模具不能有 {0} 个 {1} 的型腔：可为 1 至 {2} 个。</translation>
+    </message>
+    <message>
+        <source>The free layout has {0} places; the parts of this mold ask for {1}.</source>
+        <translation>自由排列有 {0} 个位置；此模具的零件需要 {1} 个。</translation>
+    </message>
+    <message>
+        <source>{0} cannot stand in this mold: along the mold&apos;s removal directions its faces would leave with {1}° at best, {2}° are required. Design both parts with directions normal to the plane, or with the same ones.</source>
+        <translation>{0} 不能放在此模具中：沿模具的脱模方向，其表面最多只有 {1}° 的拔模角，要求 {2}°。请让两个零件都采用垂直于分型面的方向，或采用相同的方向。</translation>
+    </message>
+    <message>
+        <source>{0} cannot stand in this mold. {1} Finish its cast first.</source>
+        <translation>{0} 不能放在此模具中。{1} 请先完成其铸件。</translation>
+    </message>
+    <message>
+        <source>Every second cavity can be another one only where all are of one part.</source>
+        <translation>只有所有型腔属于同一零件时，才能让每第二个型腔不同。</translation>
+    </message>
+    <message>
+        <source>The layout has {0} × {1} cavities instead of {2} × {3}, so that each part has its number.</source>
+        <translation>排列有 {0} × {1} 个型腔，而不是 {2} × {3} 个，使每个零件达到其数量。</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>

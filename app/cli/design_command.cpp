@@ -159,8 +159,9 @@ Project projectOf(const DesignOptions& options, const IndexedMesh& source, const
 Result<void> writeMoldOf(const DesignOptions& options, const DesignRequest& request, DesignResult& result,
                          const Task& task) {
     const Stopwatch watch(result.seconds, "mold");
-    const Result<Mold> mold =
-        buildMold(*result.cast, result.labels, result.state, request.draftDegrees, options.block, task);
+    const Result<Mold> mold = buildMold(trayOf({result.cast, result.labels, result.state},
+                                               std::filesystem::path(options.input).stem().string()),
+                                        request.draftDegrees, options.block, task);
     if (!mold)
         return std::unexpected(mold.error());
     if (!mold->verified())

@@ -4,10 +4,12 @@
 #include "cli/material_table.h"
 #include "cli/mold_options.h"
 #include "cli/open_project.h"
+#include "cli/tray_parts.h"
 #include "exchange/user_folder.h"
 #include "mold/mold_files.h"
 #include "mold/plaque.h"
 #include "project/presets.h"
+#include "project/variants.h"
 #include "report/figures.h"
 
 #include <CLI/CLI.hpp>
@@ -28,6 +30,7 @@ struct MoldJob {
     std::string material;
     std::string savePreset;
     std::string variant;
+    std::vector<std::string> with;
 };
 
 /// What a material's value is, and where it comes from.
@@ -79,12 +82,32 @@ void describe(const Mold& mold, std::ostream& out) {
         out << "The mold was written, but it is not proved to open.\n";
     const Eigen::Vector3d size = mold.blockSize;
     out << "Block " << readable(size.x()) << " x " << readable(size.y()) << " x " << readable(size.z())
-        << " mm, " << mold.cavities << (mold.cavities == 1 ? " cavity, " : " cavities, ")
+        << " mm, " << mold.cavities << (mold.cavities == 1 ? " cavity" : " cavities")
+        << (mold.parts.size() > 1 ? " (" + partsInWords(mold.parts) + ")" : "") << ", "
         << readable((mold.cavityVolume + mold.channelVolume) / 1000) << " cm³ a shot, smallest wall "
         << readable(mold.minWall) << " mm.\n";
     if (mold.savedVolume > 0)
         out << "The shell has " << readable(mold.savedVolume / 1000) << " cm³ less than its box, "
             << readable(100 * mold.savedVolume / (mold.savedVolume + mold.blockVolume), 2) << " %.\n";
+}
+
+/// What came of it, on the terminal and as JSON.
+Result<ExitCode> told(const Mold& mold, const Session& session) {
+    describe(mold, session.out());
+    for (const Message& note : mold.notes)
+        session.tell(note);
+    for (const std::string& problem : mold.problems)
+        session.tell({problem, {}});
+    if (const Result<void> written = session.writeJson(Json::parse(moldJson(mold))); !written)
+        return std::unexpected(written.error());
+    return mold.verified() ? ExitCode::Yes : ExitCode::No;
+}
+
+std::string namesOf(const Tray& tray) {
+    std::string names;
+    for (const TrayPart& part : tray)
+        names += (names.empty() ? "" : ", ") + part.name;
+    return names;
 }
 
 Result<ExitCode> build(const MoldJob& job, const Session& session) {
@@ -113,24 +136,19 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
             !saved)
             return std::unexpected(saved.error());
     settings->plaque.text = plaqueText(settings->plaque.text, project.name);
-    Result<Mold> mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, *settings,
-                                  session.task().part(0.1, 0.9));
+    const Result<Tray> tray = withParts(trayOf(project, project.name), job.with);
+    if (!tray)
+        return std::unexpected(tray.error());
+    Result<Mold> mold = buildMold(*tray, cast.draftDegrees, *settings, session.task().part(0.1, 0.9));
     if (!mold)
         return std::unexpected(mold.error());
     std::ranges::transform(notes, std::inserter(mold->notes, mold->notes.begin()),
                            [](const std::string& note) { return Message{note, {}}; });
-    if (const Result<void> written = writeMold(*mold, project.name, job.folder, formatsOf(job.also));
+    if (const Result<void> written = writeMold(*mold, namesOf(*tray), job.folder, formatsOf(job.also));
         !written)
         return std::unexpected(written.error());
     session.task().progress(1, "Done");
-    describe(*mold, session.out());
-    for (const Message& note : mold->notes)
-        session.tell(note);
-    for (const std::string& problem : mold->problems)
-        session.tell({problem, {}});
-    if (const Result<void> written = session.writeJson(Json::parse(moldJson(*mold))); !written)
-        return std::unexpected(written.error());
-    return mold->verified() ? ExitCode::Yes : ExitCode::No;
+    return told(*mold, session);
 }
 
 constexpr const char* manual =
@@ -139,17 +157,24 @@ constexpr const char* manual =
     "with all three on a plate, and mold.json. What is written is what was proved. The spout leaves\n"
     "through the face at +y; --pour says which turn of the cast that is up for.\n"
     "\n"
+    "--with puts other finished casts into the same mold, each one cavity or as many as its :N says; the\n"
+    "other places of --cavities or --cavity-places are IN's, which come first: row by row, the lowest row\n"
+    "first. Rows that are too short get more columns. All leave along the removal directions of IN: a part\n"
+    "that cannot, turned about the normal as may be, is refused with the draft that it would have.\n"
+    "\n"
     "--places takes {\"features\": [{\"kind\": \"key\", \"number\": 1, \"at\": [x, y]}, ...]}, mm, as "
     "mold.json lists\n"
     "them: these stand there, all others find their own places.\n"
     "\n"
-    "JSON: as mold.json: verified, d1, d2, part_to_mold[16] (row-major), half1, half2 (volume, size,\n"
-    "faces), cavity_volume, channel_volume, parting_area, clamp_force (kN), min_wall, features[], steel[],\n"
-    "shot, shrink, path_lengths[], trapped_air, notes[], problems[].\n"
+    "JSON: as mold.json: verified, d1, d2, part_to_mold[16] (row-major), parts[] (name, cavities, volume,\n"
+    "part_to_mold), half1, half2 (volume, size, faces), cavity_volume, channel_volume, parting_area,\n"
+    "clamp_force (kN), min_wall, features[], steel[], shot, shrink, path_lengths[], trapped_air, notes[],\n"
+    "problems[].\n"
     "\n"
     "Example:\n"
     "  moldwright-cli mold rabbit.moldwright --out rabbit-mold --cavities 2x2 --spout auto --vents auto\n"
-    "      --keys 4 --slits 2 --material polyurethane";
+    "      --keys 4 --slits 2 --material polyurethane\n"
+    "  moldwright-cli mold fish --with rabbit:3 --out tray --cavities 1x5 --spout auto";
 
 } // namespace
 
@@ -173,6 +198,7 @@ Command moldCommand() {
                            "Saves block, layout, features and machines under this name, for --preset")
                 ->type_name("NAME");
             addVariantOption(app, job->variant);
+            addTrayOption(app, job->with);
             job->mold.declare(app);
             return Action([job](const Session& session) { return build(*job, session); });
         }};

@@ -16,7 +16,7 @@ struct BuiltMold {
     std::shared_ptr<const Mold> mold;
     std::array<scene::SharedDrawnMesh, 2> halves;
     std::array<ContactWays, 2> contacts; ///< of the halves with the cast, on their way out
-    std::shared_ptr<const CastResult> cast;
+    Tray tray;
     MoldSettings settings;
 };
 

@@ -10,12 +10,11 @@ LiveSketch::LiveSketch(QObject* parent)
       }) {}
 
 Result<MoldSketch> LiveSketch::sketch(const SketchRequest& request) {
-    if (request.cast != m_cast || !m_sketcher || !m_sketcher->serves(request.settings)) {
-        const CastResult& cast = *request.cast;
+    if (request.tray != m_tray || !m_sketcher || !m_sketcher->serves(request.settings)) {
         m_sketcher.reset();
-        m_cast = request.cast;
+        m_tray = request.tray;
         Result<MoldSketcher> prepared =
-            MoldSketcher::prepared(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, request.settings);
+            MoldSketcher::prepared(request.tray, request.draftDegrees, request.settings);
         if (!prepared)
             return std::unexpected(prepared.error());
         m_sketcher.emplace(*std::move(prepared));

@@ -12,9 +12,10 @@
 
 namespace moldwright {
 
-/// The mold of a cast with these settings, to be sketched.
+/// The mold of a tray with these settings, to be sketched.
 struct SketchRequest {
-    std::shared_ptr<const CastResult> cast; ///< never null
+    Tray tray; ///< empty: nothing was asked yet
+    double draftDegrees = 1;
     MoldSettings settings;
 
     bool operator==(const SketchRequest&) const = default;
@@ -40,7 +41,7 @@ Q_SIGNALS:
 private:
     [[nodiscard]] Result<MoldSketch> sketch(const SketchRequest& request);
 
-    std::shared_ptr<const CastResult> m_cast; ///< of m_sketcher
+    Tray m_tray; ///< of m_sketcher
     std::optional<MoldSketcher> m_sketcher;
     NewestJob<SketchRequest> m_job;
 };

@@ -2,6 +2,7 @@
 #include "window/mold_placing.h"
 
 #include "project/edits.h"
+#include "project/variants.h"
 #include "window/document.h"
 #include "window/sentence.h"
 
@@ -72,10 +73,10 @@ void MoldPlacing::follow() {
         m_rows.clear();
         return;
     }
-    const SketchRequest request{project.cast, project.mold};
+    const SketchRequest request{trayOf(project, project.name), project.cast->draftDegrees, project.mold};
     if (!m_wanted || request == m_asked)
         return;
-    if (request.cast != m_asked.cast) {
+    if (request.tray != m_asked.tray) {
         m_good.reset();
         m_rows.clear();
     }
@@ -84,7 +85,7 @@ void MoldPlacing::follow() {
 }
 
 void MoldPlacing::take(const std::shared_ptr<const SketchAnswer>& answer) {
-    if (answer->request.cast != m_asked.cast)
+    if (answer->request.tray != m_asked.tray)
         return; // of a cast that is gone
     m_newest = answer;
     if (answer->sketch) {

@@ -6,6 +6,7 @@
 #include "mold/way_out.h"
 #include "project/design_request.h"
 #include "project/edits.h"
+#include "project/variants.h"
 #include "theme/theme.h"
 #include "window/sentence.h"
 
@@ -171,7 +172,8 @@ void Workbench::buildMoldNow() {
     const Project from = m_document.committed();
     m_background.start(tr("Building the mold"), [=, this](const Task& task) -> Background::Finish {
         const CastResult& cast = *from.cast;
-        auto built = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, from.mold, task);
+        const Tray tray = trayOf(from, from.name);
+        auto built = buildMold(tray, cast.draftDegrees, from.mold, task);
         const auto drawn = [&](const MoldHalf Mold::* half) {
             return built ? scene::drawnMesh(((*built).*half).mesh) : nullptr;
         };
@@ -183,7 +185,7 @@ void Workbench::buildMoldNow() {
                 return;
             }
             const auto mold = std::make_shared<const Mold>(std::move(**built));
-            m_molds[from.variantName] = {mold, halves, contacts, from.cast, from.mold};
+            m_molds[from.variantName] = {mold, halves, contacts, tray, from.mold};
             if (mold->verified())
                 say(Standing::Done, tr("Mold built: both halves are proved to come off."));
             for (const std::string& what : mold->problems)

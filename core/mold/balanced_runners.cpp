@@ -134,8 +134,8 @@ TreeWidths treeWidths(const ChannelWidths& widths) {
     return {widths.runner, widths.main, widths.gate / 2 + widths.beside};
 }
 
-Result<Layout> balancedLayout(const std::vector<CavityKind>& kinds, const LayoutSettings& settings,
-                              const ChannelWidths& widths) {
+Result<Layout> balancedLayout(const std::vector<CavityKind>& kinds, const std::vector<std::size_t>& kindAt,
+                              const LayoutSettings& settings, const ChannelWidths& widths) {
     if (Result<void> done = checked(settings); !done)
         return std::unexpected(done.error());
     const Result<std::vector<Vector2d>> tips = tipsOf(kinds, widths.gate);
@@ -151,7 +151,7 @@ Result<Layout> balancedLayout(const std::vector<CavityKind>& kinds, const Layout
     RunnerRoom room{widths.room().row, 0, box.min().x() - column.left + column.right - box.max().x()};
     if (settings.rows > 1)
         room.row = std::max(room.row, 2 * (roomyJoint(widths) - settings.spacing) - box.sizes().y());
-    Layout layout = layoutOf(kinds, straight, room);
+    Layout layout = layoutOf(kinds, kindAt, straight, room);
     // The middle of all, channels included.
     const double low = layout.copies.front().offset.x() + column.left;
     const double high = layout.copies.back().offset.x() + column.right;

@@ -11,7 +11,9 @@ namespace moldwright {
 /// channel leads aside, joined in pairs beside its column; those of the columns are joined in pairs over all
 /// of them. Errors: Impossible, where rows or columns are no power of two or do not stand straight, where a
 /// cavity has several gates, or those of cavities that are not alike stand too far apart.
+/// `kindAt`: as layoutOf() takes it.
 [[nodiscard]] Result<Layout> balancedLayout(const std::vector<CavityKind>& kinds,
+                                            const std::vector<std::size_t>& kindAt,
                                             const LayoutSettings& settings, const ChannelWidths& widths);
 
 /// Widths in such a tree.

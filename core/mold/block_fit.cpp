@@ -89,6 +89,7 @@ void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
     for (const CavityCopy& copy : m_layout.copies)
         for (const Vector2d& p : kinds()[copy.kind].hull)
             all.extend(Vector2d(p + copy.offset));
+    all.extend(Vector2d(m_layout.mainAxis, all.center().y())); // staggered, it stands beside all of them
     if (balanced())
         for (PlanShape& strip : stripsOf(*m_layout.tree, treeWidths(widths)))
             obstacles.push_back(std::move(strip));

@@ -96,20 +96,20 @@ private:
 
 } // namespace
 
-std::vector<CavityKind> kindsRound(const IndexedMesh& cast, const SideLabels& labels,
-                                   const Directions& directions, double draftDegrees, double grid,
-                                   int count) {
+std::vector<CavityKind> kindsRound(const std::vector<CavityKind>& parts,
+                                   const std::vector<std::size_t>& partAt, const CavityRules& rules) {
+    const auto count = static_cast<int>(partAt.size());
     std::vector<CavityKind> turned;
-    const CavityKind upright = cavityKind(cast, labels);
     std::vector<CavityKind> moved;
     for (int i = 0; i < count; ++i) {
+        const CavityKind& upright = parts[partAt[static_cast<std::size_t>(i)]];
         const Vector2d inlet = -wayTo(i, count);
         moved.push_back(upright);
         moved.back().inlet = inlet;
         if (turned.size() < static_cast<std::size_t>(i))
             continue;                                          // a turn before this one was not allowed
         const double turn = std::atan2(-inlet.x(), inlet.y()); // of +y onto the inlet
-        std::expected<CavityKind, double> kind = turnedKind(upright, turn, directions, draftDegrees, grid);
+        std::expected<CavityKind, double> kind = turnedKind(upright, turn, rules);
         if (kind) {
             kind->inlet = inlet;
             turned.push_back(*std::move(kind));

@@ -7,12 +7,13 @@
 
 namespace moldwright {
 
-/// One kind of cavity for each of `count` places on a circle, counter-clockwise from the upper left: the
-/// cast's +y points to the middle, from where it is filled. Where the removal directions do not allow one of
-/// the turns, all are the cast as it is, only moved; what then points to the middle is another side of each.
-[[nodiscard]] std::vector<CavityKind> kindsRound(const IndexedMesh& cast, const SideLabels& labels,
-                                                 const Directions& directions, double draftDegrees,
-                                                 double grid, int count);
+/// One kind of cavity for each place on a circle, counter-clockwise from the upper left, of the part that
+/// stands there: its +y points to the middle, from where it is filled. Where the removal directions do not
+/// allow one of the turns, all are their parts as they are, only moved; what then points to the middle is
+/// another side of each.
+[[nodiscard]] std::vector<CavityKind> kindsRound(const std::vector<CavityKind>& parts,
+                                                 const std::vector<std::size_t>& partAt,
+                                                 const CavityRules& rules);
 
 /// What fills cavities on a circle from its middle, mm; zero without.
 struct StarRoom {

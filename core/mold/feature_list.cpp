@@ -41,8 +41,8 @@ void MoldBuilder::listFeatures() {
                                 {"outer_draft_deg", settings.outerDraft},
                                 {"saved_volume", m_mold.savedVolume}},
                                {}});
-    for (const CavityCopy& copy : m_layout.copies)
-        listCavity(copy);
+    for (std::size_t number = 0; number < m_layout.copies.size(); ++number)
+        listCavity(number);
     listChannels();
     listRegistration();
     listBolts();
@@ -50,8 +50,9 @@ void MoldBuilder::listFeatures() {
     listPlaques();
 }
 
-void MoldBuilder::listCavity(const CavityCopy& copy) {
+void MoldBuilder::listCavity(std::size_t number) {
     std::vector<MoldFeature>& features = m_mold.features;
+    const CavityCopy& copy = m_layout.copies[number];
     const CavityKind& kind = kinds()[copy.kind];
     const JoinedCavity& joined = m_joined[copy.kind];
     const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
@@ -63,6 +64,10 @@ void MoldBuilder::listCavity(const CavityCopy& copy) {
                          {"column", copy.column},
                          {"turn_deg", degrees(kind.turn)}},
                         {}});
+    if (m_mold.parts.size() > 1) {
+        features.back().part = m_mold.parts[kind.part].name;
+        features.back().number = static_cast<int>(number) + 1;
+    }
     listStubs(copy);
     listBores(copy);
     listOverflows(copy);

@@ -79,17 +79,17 @@ private:
 
 } // namespace
 
-Result<std::vector<CavityKind>> kindsAtPlaces(const IndexedMesh& cast, const SideLabels& labels,
-                                              const Directions& directions, double draftDegrees, double grid,
+Result<std::vector<CavityKind>> kindsAtPlaces(const std::vector<CavityKind>& parts,
+                                              const std::vector<std::size_t>& partAt,
+                                              const CavityRules& rules,
                                               const std::vector<CavityPlace>& places) {
     if (places.empty())
         return failure(ErrorCode::Usage,
                        MW_TEXT("Mold", "A free layout needs at least one place for a cavity."));
-    const CavityKind upright = cavityKind(cast, labels);
     std::vector<CavityKind> kinds;
     for (const CavityPlace& place : places) {
         std::expected<CavityKind, double> kind =
-            turnedKind(upright, radians(std::remainder(place.turn, 360)), directions, draftDegrees, grid);
+            turnedKind(parts[partAt[kinds.size()]], radians(std::remainder(place.turn, 360)), rules);
         if (!kind)
             return failure(ErrorCode::Impossible,
                            MW_TEXT("Mold",
@@ -97,7 +97,7 @@ Result<std::vector<CavityKind>> kindsAtPlaces(const IndexedMesh& cast, const Sid
                                    "{3}° are required. Turned copies need removal directions normal to "
                                    "the plane."),
                            {numberOf(kinds.size()), readable(place.turn), readable(kind.error()),
-                            readable(draftDegrees)});
+                            readable(rules.draftDegrees)});
         kinds.push_back(*std::move(kind));
     }
     return kinds;

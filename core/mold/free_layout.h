@@ -8,11 +8,12 @@
 
 namespace moldwright {
 
-/// One kind of cavity for each place of a free layout, turned as asked for. Errors: Usage without a place;
-/// Impossible where the removal directions do not allow a turn, with the draft that the cavity would have.
-[[nodiscard]] Result<std::vector<CavityKind>> kindsAtPlaces(const IndexedMesh& cast, const SideLabels& labels,
-                                                            const Directions& directions, double draftDegrees,
-                                                            double grid,
+/// One kind of cavity for each place of a free layout, of the part that stands there, turned as asked for.
+/// Errors: Usage without a place; Impossible where the removal directions do not allow a turn, with the draft
+/// that the cavity would have.
+[[nodiscard]] Result<std::vector<CavityKind>> kindsAtPlaces(const std::vector<CavityKind>& parts,
+                                                            const std::vector<std::size_t>& partAt,
+                                                            const CavityRules& rules,
                                                             const std::vector<CavityPlace>& places);
 
 /// The kinds at their places, as a whole about the origin. `spoutWidth`: mm, of a spout that leads straight

@@ -60,26 +60,23 @@ const char* refusalOf(Alternation alternation) {
 
 /// A cast that was put another way, on the grid, or the draft in degrees that it would have.
 std::expected<CavityKind, double> certifiedKind(const IndexedMesh& placed, const SideLabels& labels,
-                                                const Directions& directions, double draftDegrees,
-                                                double grid) {
-    IndexedMesh cast = roundKeepingDraft(placed, labels, directions, draftDegrees, grid);
-    const Certificate certificate = certify(cast, labels, {{}, directions}, draftDegrees);
+                                                const CavityRules& rules) {
+    IndexedMesh cast = roundKeepingDraft(placed, labels, rules.directions, rules.draftDegrees, rules.grid);
+    const Certificate certificate = certify(cast, labels, {{}, rules.directions}, rules.draftDegrees);
     if (!certificate.holds())
         return std::unexpected(certificate.worstDraftDegrees);
     return cavityKind(std::move(cast), labels);
 }
 
-Result<CavityKind> alternateKind(const CavityKind& first, const Directions& directions, double draftDegrees,
-                                 double grid, Alternation alternation) {
+Result<CavityKind> alternateKind(const CavityKind& first, const CavityRules& rules, Alternation alternation) {
     const Vector3d signs = signsOf(alternation);
     IndexedMesh cast{first.cast.V * signs.asDiagonal(), first.cast.F};
     if (signs.prod() < 0)
         cast.F.col(1).swap(cast.F.col(2));
-    std::expected<CavityKind, double> kind =
-        certifiedKind(cast, labelSides(cast, {}), directions, draftDegrees, grid);
+    std::expected<CavityKind, double> kind = certifiedKind(cast, labelSides(cast, {}), rules);
     if (!kind)
         return failure(ErrorCode::Impossible, refusalOf(alternation),
-                       {readable(kind.error()), readable(draftDegrees)});
+                       {readable(kind.error()), readable(rules.draftDegrees)});
     kind->mirrored = alternation == Alternation::Mirror;
     return *std::move(kind);
 }
@@ -98,10 +95,16 @@ double pitchBetween(const PlanShape& a, const PlanShape& b, const Vector2d& way,
 
 class Arranger {
 public:
-    Arranger(const std::vector<CavityKind>& kinds, const LayoutSettings& settings, const RunnerRoom& room)
-        : m_kinds(kinds), m_settings(settings), m_room(room) {
+    Arranger(const std::vector<CavityKind>& kinds, const std::vector<std::size_t>& kindAt,
+             const LayoutSettings& settings, const RunnerRoom& room)
+        : m_kinds(kinds), m_kindAt(kindAt), m_settings(settings), m_room(room) {
         for (const CavityKind& kind : kinds)
             m_box.extend(boxOf(kind.hull));
+        for (const CavityKind& kind : kinds) {
+            const double below = m_box.max().y() - boxOf(kind.hull).max().y();
+            m_lift.push_back(room.row > 0 ? std::floor(below / sixteenth) * sixteenth : 0);
+            m_hulls.push_back(movedPlan(kind.hull, {0, m_lift.back()}));
+        }
     }
 
     Layout arranged() {
@@ -115,14 +118,16 @@ public:
         for (int r = 0; r < m_settings.rows; ++r)
             for (int c = 0; c < m_settings.columns; ++c) {
                 CavityCopy copy;
-                copy.kind = m_kinds.size() > 1 ? static_cast<std::size_t>((r + c) % 2) : 0;
+                copy.kind = m_kindAt[layout.copies.size()];
                 copy.row = r;
                 copy.column = c;
                 copy.offset = {c * column + (r % 2) * m_shift + (c >= layout.mainColumn ? gap() : 0),
-                               r * row};
+                               r * row + m_lift[copy.kind]};
                 layout.copies.push_back(copy);
             }
-        layout.runnerOverKind = upToSixteenth(m_box.max().y() + m_settings.spacing + m_room.row / 2);
+        const double runner = upToSixteenth(m_box.max().y() + m_settings.spacing + m_room.row / 2);
+        for (const double lift : m_lift)
+            layout.runnerOverKind.push_back(runner - lift);
         layout.mainAxis = mainAxis(layout);
         centre(layout);
         return layout;
@@ -134,10 +139,9 @@ private:
         if (m_settings.arrangement == Arrangement::Grid)
             return upToSixteenth(box + m_room.column);
         double pitch = 0;
-        for (const CavityKind& a : m_kinds)
-            for (const CavityKind& b : m_kinds)
-                pitch =
-                    std::max(pitch, pitchBetween(a.hull, b.hull, Vector2d::UnitX(), box, m_settings.spacing));
+        for (const PlanShape& a : m_hulls)
+            for (const PlanShape& b : m_hulls)
+                pitch = std::max(pitch, pitchBetween(a, b, Vector2d::UnitX(), box, m_settings.spacing));
         return pitch;
     }
     [[nodiscard]] double rowPitch() const {
@@ -146,11 +150,11 @@ private:
         if (m_settings.arrangement == Arrangement::Grid || m_room.row > 0)
             return upToSixteenth(box);
         double pitch = 0;
-        for (const CavityKind& a : m_kinds)
-            for (const CavityKind& b : m_kinds)
+        for (const PlanShape& a : m_hulls)
+            for (const PlanShape& b : m_hulls)
                 for (const double shift : {m_shift, m_shift - columnPitch(), m_shift + columnPitch()})
-                    pitch = std::max(pitch, pitchBetween(a.hull, movedPlan(b.hull, {shift, 0}),
-                                                         Vector2d::UnitY(), box, spacing));
+                    pitch = std::max(
+                        pitch, pitchBetween(a, movedPlan(b, {shift, 0}), Vector2d::UnitY(), box, spacing));
         // Every second row stands over its like.
         return std::max(pitch, upToSixteenth(box / 2));
     }
@@ -174,16 +178,19 @@ private:
     }
     void centre(Layout& layout) const {
         centreLayout(layout, m_kinds);
-        for (int r = 0; r < m_settings.rows; ++r)
-            layout.runnerAxes.push_back(
-                layout.copies[static_cast<std::size_t>(r * m_settings.columns)].offset.y() +
-                layout.runnerOverKind);
+        for (int r = 0; r < m_settings.rows; ++r) {
+            const CavityCopy& copy = layout.copies[static_cast<std::size_t>(r * m_settings.columns)];
+            layout.runnerAxes.push_back(copy.offset.y() + layout.runnerOverKind[copy.kind]);
+        }
     }
 
     const std::vector<CavityKind>& m_kinds;
+    const std::vector<std::size_t>& m_kindAt;
     const LayoutSettings& m_settings;
     RunnerRoom m_room;
-    AlignedBox2d m_box;
+    AlignedBox2d m_box;             ///< round each of the kinds
+    std::vector<double> m_lift;     ///< by kind, towards the runner
+    std::vector<PlanShape> m_hulls; ///< by kind, lifted
     double m_shift = 0;
 };
 
@@ -200,17 +207,17 @@ CavityKind cavityKind(IndexedMesh cast, SideLabels labels) {
     return kind;
 }
 
-std::expected<CavityKind, double> turnedKind(const CavityKind& kind, double angle,
-                                             const Directions& directions, double draftDegrees, double grid) {
+std::expected<CavityKind, double> turnedKind(const CavityKind& kind, double angle, const CavityRules& rules) {
     if (angle == 0)
         return kind;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
     IndexedMesh cast{kind.cast.V * turn.transpose(), kind.cast.F};
     cast.V.col(2) = kind.cast.V.col(2); // the plane stays, to the bit
-    std::expected<CavityKind, double> turned =
-        certifiedKind(cast, kind.labels, directions, draftDegrees, grid);
-    if (turned)
+    std::expected<CavityKind, double> turned = certifiedKind(cast, kind.labels, rules);
+    if (turned) {
         turned->turn = kind.turn + angle;
+        turned->part = kind.part;
+    }
     return turned;
 }
 
@@ -253,22 +260,21 @@ double upToSixteenth(double length) {
     return std::ceil(length / sixteenth - 1e-9) * sixteenth;
 }
 
-Result<std::vector<CavityKind>> cavityKinds(const IndexedMesh& cast, const SideLabels& labels,
-                                            const Directions& directions, double draftDegrees, double grid,
-                                            Alternation alternation) {
-    std::vector<CavityKind> kinds{cavityKind(cast, labels)};
+Result<std::vector<CavityKind>> withAlternate(const CavityKind& kind, const CavityRules& rules,
+                                              Alternation alternation) {
+    std::vector<CavityKind> kinds{kind};
     if (alternation == Alternation::None)
         return kinds;
-    Result<CavityKind> second = alternateKind(kinds.front(), directions, draftDegrees, grid, alternation);
+    Result<CavityKind> second = alternateKind(kind, rules, alternation);
     if (!second)
         return std::unexpected(second.error());
     kinds.push_back(*std::move(second));
     return kinds;
 }
 
-Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings,
-                const RunnerRoom& room) {
-    return Arranger(kinds, settings, room).arranged();
+Layout layoutOf(const std::vector<CavityKind>& kinds, const std::vector<std::size_t>& kindAt,
+                const LayoutSettings& settings, const RunnerRoom& room) {
+    return Arranger(kinds, kindAt, settings, room).arranged();
 }
 
 } // namespace moldwright

@@ -26,6 +26,7 @@ struct CavityKind {
     double volume = 0;                   ///< mm³, of the cast
     PlanShape hull;                      ///< round all of it, seen along the plane's normal
     std::vector<CavityOutline> outlines; ///< its parting curves
+    std::size_t part = 0;                ///< of the tray's, whose cavity it is
     bool mirrored = false;               ///< the opposite-handed part
     double turn = 0;                     ///< radians about the normal, from the cast as it was placed
     Eigen::Vector2d inlet = Eigen::Vector2d::UnitY(); ///< unit: the way from the cavity to what fills it
@@ -53,22 +54,27 @@ struct CavityCopy {
     Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< mm; multiples of 1/256
 };
 
-/// The cast as it is and, where every second one is to be another, that one. A copy placed by a turn R is
-/// allowed exactly when the cast leaves along R⁻¹d1 and R⁻¹d2. Errors: Impossible, with the draft it would
-/// have.
-[[nodiscard]] Result<std::vector<CavityKind>> cavityKinds(const IndexedMesh& cast, const SideLabels& labels,
-                                                          const Directions& directions, double draftDegrees,
-                                                          double grid, Alternation alternation);
+/// What a cavity of one mold must hold.
+struct CavityRules {
+    Directions directions; ///< mold's frame
+    double draftDegrees = 1;
+    double grid = 0; ///< all its coordinates are multiples of it
+};
 
 /// A kind of cavity of a cast that is certified as it is.
 [[nodiscard]] CavityKind cavityKind(IndexedMesh cast, SideLabels labels);
+
+/// The kind as it is and, where every second one is to be another, that one. A copy placed by a turn R is
+/// allowed exactly when the cast leaves along R⁻¹d1 and R⁻¹d2. Errors: Impossible, with the draft it would
+/// have.
+[[nodiscard]] Result<std::vector<CavityKind>> withAlternate(const CavityKind& kind, const CavityRules& rules,
+                                                            Alternation alternation);
 
 /// The kind turned about the normal by an angle in radians, on the grid, or the draft in degrees that it
 /// would have where the directions do not allow that: a turn R is allowed where the cast leaves along R⁻¹d1,
 /// R⁻¹d2.
 [[nodiscard]] std::expected<CavityKind, double> turnedKind(const CavityKind& kind, double angle,
-                                                           const Directions& directions, double draftDegrees,
-                                                           double grid);
+                                                           const CavityRules& rules);
 
 /// Room that runners take in a layout, mm; zero without.
 struct RunnerRoom {
@@ -90,15 +96,19 @@ struct Layout {
     std::vector<Eigen::Vector2d> arms;
     double armEnd = 0;
     std::vector<double> tipRadii;
-    double runnerOverKind = 0; ///< mm, y of a row's runner less that of its cavities' offset
+    /// In rows with runners, by kind: y of a row's runner less that of a cavity's offset, mm. Smaller kinds
+    /// hang as near to their runner as larger ones.
+    std::vector<double> runnerOverKind;
     /// Where all channels are of one length: those beside each column, x from its cavities' offset, and those
     /// over all columns, y; mm. The tree that they are.
     std::vector<double> besideColumns;
     std::vector<double> overColumns;
     std::optional<ChannelBranch> tree;
 };
-[[nodiscard]] Layout layoutOf(const std::vector<CavityKind>& kinds, const LayoutSettings& settings,
-                              const RunnerRoom& room);
+
+/// Kinds in rows and columns. `kindAt`: which kind each place has, row by row.
+[[nodiscard]] Layout layoutOf(const std::vector<CavityKind>& kinds, const std::vector<std::size_t>& kindAt,
+                              const LayoutSettings& settings, const RunnerRoom& room);
 
 /// The nearest place where a copy may stand: a multiple of 1/256 mm, which is one of every grid.
 [[nodiscard]] Eigen::Vector2d onCopyStep(const Eigen::Vector2d& place);

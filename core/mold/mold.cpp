@@ -35,11 +35,11 @@ constexpr std::size_t untilBlock = 6;
 
 } // namespace
 
-Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
-                       double draftDegrees, const MoldSettings& settings, const Task& task) {
+Result<Mold> buildMold(const Tray& tray, double draftDegrees, const MoldSettings& settings,
+                       const Task& task) {
     MoldBuilder builder(settings, draftDegrees);
     task.progress(0, "Place the cast");
-    Result<void> done = builder.place(cast, labels, state);
+    Result<void> done = builder.place(tray);
     for (const Stage& stage : stages) {
         if (!done)
             return std::unexpected(done.error());
@@ -54,10 +54,9 @@ Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels, const 
     return builder.mold();
 }
 
-Result<Eigen::Vector3d> blockSize(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state,
-                                  double draftDegrees, const MoldSettings& settings) {
+Result<Eigen::Vector3d> blockSize(const Tray& tray, double draftDegrees, const MoldSettings& settings) {
     MoldBuilder builder(settings, draftDegrees);
-    Result<void> done = builder.place(cast, labels, state);
+    Result<void> done = builder.place(tray);
     for (std::size_t i = 0; i < untilBlock && done; ++i)
         done = (builder.*stages.at(i).work)();
     if (!done)

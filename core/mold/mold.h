@@ -10,6 +10,7 @@
 #include "mesh/indexed_mesh.h"
 #include "mold/mold_settings.h"
 #include "mold/steel.h"
+#include "mold/tray.h"
 
 #include <Eigen/Geometry>
 
@@ -38,6 +39,18 @@ struct MoldFeature {
     Eigen::Vector2d origin = Eigen::Vector2d::Zero(); ///< of the frame of `stands`, mm in the mold's
     bool byHand = false;                              ///< a hand put it there
     PlanShape outline = {}; ///< mm, mold's frame: of what can be placed, seen along the normal
+    std::string part = {};  ///< of a cavity, where the tray has several parts: which one's
+    int number = 0;         ///< of a cavity there, among all of them, from 1
+};
+
+/// What a mold has of one part of its tray.
+struct PartOfMold {
+    std::string name; ///< may be empty where it is the only one
+    int cavities = 0;
+    double volume = 0;      ///< mm³ of one cavity
+    double shellVolume = 0; ///< mm³ of its walls when it is cast hollow; 0: cast solid
+    /// Of the cast made larger by the shrink, to the first of its cavities.
+    Eigen::Isometry3d toMold = Eigen::Isometry3d::Identity();
 };
 
 /// How a mold leans while it is filled, or had better.
@@ -53,12 +66,13 @@ struct LeaningMold {
 struct Mold {
     MoldHalf half1;
     MoldHalf half2;
-    MoldSettings settings;   ///< what it was built with
-    double draftDegrees = 1; ///< what was to be proved
-    SharedMesh cast;         ///< everything that solidifies, mold's frame, floats
-    /// Of the cast made larger by the shrink, to its first cavity.
+    MoldSettings settings;         ///< what it was built with
+    double draftDegrees = 1;       ///< what was to be proved
+    SharedMesh cast;               ///< everything that solidifies, mold's frame, floats
+    std::vector<PartOfMold> parts; ///< of the tray
+    /// That of the first part.
     Eigen::Isometry3d partToMold = Eigen::Isometry3d::Identity();
-    Eigen::Vector3d shrinkFactors = Eigen::Vector3d::Ones(); ///< along the part's axes
+    Eigen::Vector3d shrinkFactors = Eigen::Vector3d::Ones(); ///< along each part's axes
     int cavities = 1;
     Directions directions;    ///< in the mold's frame
     double cavityVolume = 0;  ///< mm³ of all cavities
@@ -89,17 +103,16 @@ struct Mold {
     [[nodiscard]] bool verified() const { return problems.empty() && castCertificate.holds(); }
 };
 
-/// Builds and proves the mold of a certified cast. Errors: BadInput when the cast is not certified;
-/// Impossible when a feature cannot be made, with the reason; Usage; Cancelled; Internal when a half could
-/// not be made sound.
-[[nodiscard]] Result<Mold> buildMold(const IndexedMesh& cast, const SideLabels& labels,
-                                     const MoldState& state, double draftDegrees,
-                                     const MoldSettings& settings, const Task& task = {});
+/// Builds and proves the mold of certified casts. All are made larger by the same shrink and placed by their
+/// own planes; all leave along the directions of the first, the others turned as that asks (furtherPart()).
+/// Errors: BadInput when a cast is not certified; Impossible when a part cannot stand there or a feature
+/// cannot be made, with the reason; Usage; Cancelled; Internal when a half could not be made sound.
+[[nodiscard]] Result<Mold> buildMold(const Tray& tray, double draftDegrees, const MoldSettings& settings,
+                                     const Task& task = {});
 
 /// Width, depth and height of the block of that mold, mm, both halves together, without building it. Errors:
-/// as those of buildMold() for cast and block.
-[[nodiscard]] Result<Eigen::Vector3d> blockSize(const IndexedMesh& cast, const SideLabels& labels,
-                                                const MoldState& state, double draftDegrees,
+/// as those of buildMold() for casts and block.
+[[nodiscard]] Result<Eigen::Vector3d> blockSize(const Tray& tray, double draftDegrees,
                                                 const MoldSettings& settings);
 
 } // namespace moldwright

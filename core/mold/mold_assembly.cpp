@@ -136,15 +136,7 @@ Result<void> MoldBuilder::measure() {
     const MoldSettings& settings = m_mold.settings;
     m_mold.blockVolume = m_block.volume();
     m_mold.blockSize = m_block.box().sizes();
-    for (const CavityCopy& copy : m_layout.copies)
-        m_mold.cavityVolume += kinds()[copy.kind].volume;
-    if (settings.hollow.wall > 0) {
-        std::vector<double> ofKind;
-        for (const CavityKind& kind : kinds())
-            ofKind.push_back(shellVolume(kind.cast, settings.hollow.wall));
-        for (const CavityCopy& copy : m_layout.copies)
-            m_mold.shellVolume += ofKind[copy.kind];
-    }
+    measureParts();
     m_mold.channelVolume = channels() ? volume(*m_mold.cast) - m_mold.cavityVolume : 0;
     for (const CavityCopy& copy : m_layout.copies)
         m_mold.sprueVolume += m_joined[copy.kind].spoutVolume;
@@ -176,6 +168,24 @@ Result<void> MoldBuilder::measure() {
                      "is proved without it. Push the sprues out of half 1 outwards."),
              {readable(spout().neck, 3)}});
     return {};
+}
+
+/// Each kind once; cavities of a part differ by what rounding does to a turned one.
+void MoldBuilder::measureParts() {
+    const double wall = m_mold.settings.hollow.wall;
+    std::vector<double> ofKind;
+    for (const CavityKind& kind : kinds())
+        ofKind.push_back(wall > 0 ? shellVolume(kind.cast, wall) : 0);
+    for (const CavityCopy& copy : m_layout.copies) {
+        const CavityKind& kind = kinds()[copy.kind];
+        PartOfMold& part = m_mold.parts[kind.part];
+        if (part.cavities++ == 0) {
+            part.volume = kind.volume;
+            part.shellVolume = ofKind[copy.kind];
+        }
+        m_mold.cavityVolume += kind.volume;
+        m_mold.shellVolume += ofKind[copy.kind];
+    }
 }
 
 Result<void> MoldBuilder::measureSteel() {

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/mold_builder.h"
 
-#include "castability/parting_curves.h"
-#include "castability/placed_cast.h"
-#include "mesh/measures.h"
 #include "mold/balanced_runners.h"
 #include "mold/circle_layout.h"
 #include "mold/free_layout.h"
 #include "mold/mold_proof.h"
 #include "mold/overflows.h"
-#include "mold/shrink.h"
 #include "mold/star_runners.h"
 
 #include <algorithm>
@@ -17,130 +13,13 @@
 
 namespace moldwright {
 
-namespace {
-
-using Eigen::AlignedBox3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/// A power of two that all coordinates of a mold of this half size are multiples of, as floats.
-double gridFor(double halfSize) {
-    return std::ldexp(1.0, static_cast<int>(std::ceil(std::log2(halfSize))) - 24);
-}
-
-/// How far the cavities of a mold reach from its middle, and its block beyond them, at most; mm.
-struct Reach {
-    double cavities = 0;
-    double round = 0;
-};
-Reach farthestReach(const MoldSettings& settings, double castSize) {
-    const LayoutSettings& layout = settings.layout;
-    const double cell = castSize + 2 * spacingWithOverflows(settings) + 2 * settings.spout.diameter;
-    double cavities = std::max(layout.rows, layout.columns) * cell / 2;
-    if (layout.arrangement == Arrangement::Circle)
-        cavities = (layout.rows * layout.columns / 2.0 + 2) * (cell + settings.spout.funnel);
-    if (layout.arrangement == Arrangement::Free) {
-        Eigen::AlignedBox2d box;
-        for (const CavityPlace& place : layout.places)
-            box.extend(Vector2d(place.x, place.y));
-        cavities = cell + (box.isEmpty() ? 0 : box.sizes().maxCoeff());
-    }
-    return {cavities, settings.wall + settings.floor + settings.ceiling + settings.step +
-                          2 * settings.spout.funnel + 4 * settings.keys.diameter + 40};
-}
-
-} // namespace
 
 MoldBuilder::MoldBuilder(const MoldSettings& settings, double draftDegrees)
     : m_trees(std::make_shared<SteelTrees>()) {
     m_mold.settings = settings;
     m_mold.draftDegrees = draftDegrees;
-}
-
-Result<void> MoldBuilder::place(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state) {
-    const MoldSettings& settings = m_mold.settings;
-    if (settings.vents.on && !settings.spout.on)
-        return failure(ErrorCode::Usage,
-                       MW_TEXT("Mold",
-                               "Vents need a spout: without one nothing tells which way is up while the "
-                               "mold is filled."));
-    const Result<CompensatedCast> larger = compensated(cast, state, settings.shrink);
-    if (!larger)
-        return std::unexpected(larger.error());
-    m_mold.shrinkFactors = larger->factors;
-    const Reach reach = farthestReach(settings, diagonal(larger->mesh));
-    m_grid = gridFor(reach.cavities + reach.round);
-    m_farthest = reach.cavities + reach.round / 2;
-    PlacedCast placed = placeCast(larger->mesh, labels, larger->state, m_mold.draftDegrees, m_grid);
-    m_mold.castCertificate = certify(placed.mesh, labels, placed.state, m_mold.draftDegrees);
-    const Certificate& proof = m_mold.castCertificate;
-    if (!proof.closedAndOutward || !proof.curvesSimpleAndNested)
-        return failure(ErrorCode::BadInput,
-                       MW_TEXT("Mold", "No mold can be built round this cast. {0} Finish the cast first."),
-                       {proof.reason});
-    if (larger->factors.minCoeff() != larger->factors.maxCoeff() && !proof.draftHolds)
-        m_mold.notes.push_back(
-            {MW_TEXT("Mold",
-                     "Shrinking differently along the axes turns faces: the draft falls to {0}°. Design the "
-                     "cast with {1}°."),
-             {readable(proof.worstDraftDegrees),
-              readable(2 * m_mold.draftDegrees - proof.worstDraftDegrees, 3)}});
-    int quarters = 0;
-    if (inPlane())
-        quarters = spout().pour == PourDirection::Automatic
-                       ? bestQuarterTurn(placed.mesh, labels, spout().gate, settings.vents.smallestTrap)
-                       : static_cast<int>(spout().pour) - 1;
-    m_cast = quarterTurned(placed.mesh, quarters);
-    m_labels = labels;
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(radians(90.0 * quarters), Vector3d::UnitZ()));
-    const auto turned = [&](const Vector3d& d) -> Vector3d {
-        return quarterTurned({d.transpose(), {}}, quarters).point(0);
-    };
-    m_mold.directions = {turned(placed.state.directions.d1), turned(placed.state.directions.d2)};
-    m_mold.partToMold = turn * placed.fromPart;
-    return {};
-}
-
-Result<std::vector<CavityKind>> MoldBuilder::kindsAsked() const {
-    const LayoutSettings& layout = m_mold.settings.layout;
-    const Directions& directions = m_mold.directions;
-    const double draft = m_mold.draftDegrees;
-    if ((star() || isFree()) && layout.alternation != Alternation::None)
-        return failure(ErrorCode::Usage,
-                       MW_TEXT("Mold",
-                               "Every second cavity can be another one in rows only, not on a circle or "
-                               "in a free layout."));
-    if (isFree())
-        return kindsAtPlaces(m_cast, m_labels, directions, draft, m_grid, layout.places);
-    if (star())
-        return kindsRound(m_cast, m_labels, directions, draft, m_grid, layout.rows * layout.columns);
-    return cavityKinds(m_cast, m_labels, directions, draft, m_grid, layout.alternation);
-}
-
-Result<void> MoldBuilder::makeKinds() {
-    const MoldSettings& settings = m_mold.settings;
-    Result<std::vector<CavityKind>> kinds = kindsAsked();
-    if (!kinds)
-        return std::unexpected(kinds.error());
-    if (star() && std::all_of(kinds->begin(), kinds->end(), [](const CavityKind& k) { return k.turn == 0; }))
-        m_mold.notes.push_back(
-            {MW_TEXT("Mold",
-                     "The removal directions do not allow turned copies: on the circle they are only moved, "
-                     "and each is filled on another of its sides."),
-             {}});
-    m_mold.partToMold.prerotate(Eigen::AngleAxisd(kinds->front().turn, Vector3d::UnitZ()));
-    const double depth = onPlaneTolerance(m_cast);
-    const bool flips = settings.layout.alternation == Alternation::Flip;
-    m_rules = {m_mold.directions,
-               std::max(spout().draft, m_mold.draftDegrees + 1),
-               {flips || m_cast.V.col(2).maxCoeff() > depth, flips || m_cast.V.col(2).minCoeff() < -depth},
-               m_grid};
-    m_cast = {};
-    const auto shapes = std::make_shared<CavityShapes>();
-    shapes->kinds = *std::move(kinds);
-    shapes->findGrounds(settings, m_mold.directions);
-    m_shapes = shapes;
-    return setPlaced(settings.placed);
 }
 
 Result<void> MoldBuilder::setPlaced(const PlacedFeatures& placed) {
@@ -173,13 +52,17 @@ Result<void> MoldBuilder::layOut() {
     if (const auto mouth = placeByHand(settings.placed, Placeable::Spout, 0); mouth && !single())
         m_layout.mainAxis = mouth->x();
     m_mold.cavities = static_cast<int>(m_layout.copies.size());
-    m_mold.partToMold.pretranslate(
-        Vector3d(m_layout.copies.front().offset.x(), m_layout.copies.front().offset.y(), 0));
+    for (std::size_t part = 0; part < m_mold.parts.size(); ++part) {
+        const auto first = std::ranges::find(m_layout.copies, part,
+                                             [&](const CavityCopy& copy) { return kinds()[copy.kind].part; });
+        m_mold.parts[part].toMold.pretranslate(Vector3d(first->offset.x(), first->offset.y(), 0));
+    }
+    m_mold.partToMold = m_mold.parts.front().toMold;
     return {};
 }
 
 Result<Layout> MoldBuilder::layoutAsked() const {
-    const LayoutSettings& settings = m_mold.settings.layout;
+    const LayoutSettings& settings = m_seats.layout;
     if (star())
         return layoutOnCircle();
     if (isFree()) {
@@ -195,14 +78,14 @@ Result<Layout> MoldBuilder::layoutAsked() const {
     LayoutSettings roomy = settings;
     roomy.spacing = spacingWithOverflows(m_mold.settings);
     if (balanced())
-        return balancedLayout(kinds(), roomy, m_widths);
+        return balancedLayout(kinds(), kindAt(), roomy, m_widths);
     RunnerRoom room;
     if (inPlane()) {
         room = m_widths.room();
         // A gate at a cavity's very edge stays clear of the main runner.
         room.main += 2 * std::max(0.0, m_widths.gate / 2 + m_widths.beside - settings.spacing + 1);
     }
-    return layoutOf(kinds(), roomy, room);
+    return layoutOf(kinds(), kindAt(), roomy, room);
 }
 
 Result<Layout> MoldBuilder::layoutOnCircle() const {
@@ -258,7 +141,7 @@ double MoldBuilder::endOfStubs(std::size_t kind) const {
     if (spoutEach())
         return m_end.line - m_layout.copies[std::min(kind, m_layout.copies.size() - 1)].offset.y();
     if (!star())
-        return m_layout.runnerOverKind - m_widths.runner / 2;
+        return m_layout.runnerOverKind[kind] - m_widths.runner / 2;
     const Vector2d armEnd = m_layout.hub + m_layout.armEnd * m_layout.arms[kind];
     return kinds()[kind].inlet.dot(armEnd - m_layout.copies[kind].offset);
 }

@@ -10,6 +10,8 @@
 #include "mold/pockets.h"
 #include "mold/pour_tilt.h"
 #include "mold/registration.h"
+#include "mold/shrink.h"
+#include "mold/tray.h"
 
 #include <algorithm>
 #include <memory>
@@ -24,8 +26,8 @@ class MoldBuilder {
 public:
     MoldBuilder(const MoldSettings& settings, double draftDegrees);
 
-    /// The cast larger by the shrink, in the mold's frame, the pour direction up in the plane (+y).
-    Result<void> place(const IndexedMesh& cast, const SideLabels& labels, const MoldState& state);
+    /// The casts larger by the shrink, in the mold's frame, the pour direction up in the plane (+y).
+    Result<void> place(const Tray& tray);
     /// Kinds of cavities, and what of them does not depend on where features stand.
     Result<void> makeKinds();
     /// How the mold leans while it is filled.
@@ -74,13 +76,12 @@ private:
     [[nodiscard]] bool single() const { return m_layout.copies.size() == 1; }
     /// Whether the cavities stand on a circle.
     [[nodiscard]] bool star() const {
-        const LayoutSettings& layout = m_mold.settings.layout;
-        return layout.arrangement == Arrangement::Circle && layout.rows * layout.columns > 1;
+        return m_seats.layout.arrangement == Arrangement::Circle && m_seats.partAt.size() > 1;
     }
     [[nodiscard]] bool isFree() const { return m_mold.settings.layout.arrangement == Arrangement::Free; }
     /// Whether the ways to cavities in rows and columns are of one length.
     [[nodiscard]] bool balanced() const {
-        const LayoutSettings& layout = m_mold.settings.layout;
+        const LayoutSettings& layout = m_seats.layout;
         return spout().runners == Runners::Balanced && inPlane() && !star() && !isFree() &&
                layout.rows * layout.columns > 1;
     }
@@ -102,7 +103,12 @@ private:
     [[nodiscard]] bool isByHand(Placeable kind, int number) const;
     Result<void> makeJoints(Result<JoinedCavity> (*joined)(const CavityKind&, const CavityFeatures&,
                                                            const JointPlan&));
+    Result<void> placeFirst(const CompensatedCast& cast, const SideLabels& labels);
+    [[nodiscard]] int quartersUp(const IndexedMesh& cast, const SideLabels& labels) const;
+    [[nodiscard]] CavityRules cavityRules() const { return {m_mold.directions, m_mold.draftDegrees, m_grid}; }
     [[nodiscard]] Result<std::vector<CavityKind>> kindsAsked() const;
+    [[nodiscard]] std::vector<std::size_t> kindAt() const;
+    [[nodiscard]] std::array<bool, 2> sidesOfChannels() const;
     [[nodiscard]] Result<Layout> layoutAsked() const;
     [[nodiscard]] Result<Layout> layoutOnCircle() const;
     [[nodiscard]] Result<JointPlan> jointPlan(std::size_t kind) const;
@@ -137,7 +143,7 @@ private:
     Result<void> addTails();
     void addHalf(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids);
     void listFeatures();
-    void listCavity(const CavityCopy& copy);
+    void listCavity(std::size_t number);
     void listStubs(const CavityCopy& copy);
     void listChannels();
     void comparePaths();
@@ -156,6 +162,7 @@ private:
     Result<void> addOverflowSurfaces(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids) const;
     [[nodiscard]] std::vector<Hollow> attachedTo(std::size_t kind) const;
     [[nodiscard]] SharedMesh sprues() const;
+    void measureParts();
     void compareWithMachines();
 
     Mold m_mold;
@@ -165,8 +172,8 @@ private:
     double m_farthest = 0; ///< mm from the middle at which a feature may stand
     ChannelRules m_rules;
     ChannelWidths m_widths;
-    IndexedMesh m_cast; ///< placed
-    SideLabels m_labels;
+    SeatedLayout m_seats;
+    std::vector<CavityKind> m_parts; ///< of the tray, as they were placed, until the kinds are known
     std::shared_ptr<const CavityShapes> m_shapes;
     Entries m_entries;                              ///< by kind
     std::vector<std::vector<Overflow>> m_overflows; ///< by kind

@@ -40,13 +40,13 @@ Json rows(const Eigen::Matrix4d& matrix) {
     return all;
 }
 
-/// Part's frame to mold's frame: made larger first, then moved.
-Json partToMold(const Mold& mold) {
+/// A part's frame to the mold's: made larger first, then moved.
+Json partToMold(const Mold& mold, const Isometry3d& motion) {
     const MoldSettings& settings = mold.settings;
     Eigen::Affine3d larger = Eigen::Affine3d::Identity();
     larger.linear() = mold.shrinkFactors.asDiagonal();
     larger.translation() = settings.shrink.origin - mold.shrinkFactors.cwiseProduct(settings.shrink.origin);
-    return rows((mold.partToMold * larger).matrix());
+    return rows((motion * larger).matrix());
 }
 
 Json notes(const Mold& mold) {
@@ -56,10 +56,32 @@ Json notes(const Mold& mold) {
     return all;
 }
 
+Json parts(const Mold& mold) {
+    Json all = Json::array();
+    for (const PartOfMold& part : mold.parts) {
+        Json json = {{"name", part.name},
+                     {"cavities", part.cavities},
+                     {"volume", part.volume},
+                     {"part_to_mold", partToMold(mold, part.toMold)}};
+        if (part.shellVolume > 0)
+            json["shell_volume"] = part.shellVolume;
+        if (mold.settings.density > 0)
+            json["mass_each_g"] =
+                (part.shellVolume > 0 ? part.shellVolume : part.volume) / 1000 * mold.settings.density;
+        all.push_back(std::move(json));
+    }
+    return all;
+}
+
 Json features(const Mold& mold) {
     Json all = Json::array();
     for (const MoldFeature& feature : mold.features) {
         Json json = {{"kind", feature.kind}, {"name", feature.name}, {"place", vectorJson(feature.place)}};
+        if (!feature.part.empty()) {
+            json["name"] = feature.name + ' ' + std::to_string(feature.number) + " (" + feature.part + ")";
+            json["number"] = feature.number;
+            json["part"] = feature.part;
+        }
         if (const std::optional<PlacedFeature>& stands = feature.stands) {
             json["number"] = stands->number + 1;
             json["at"] = {stands->place.x(), stands->place.y()};
@@ -92,7 +114,8 @@ Json hollowShot(const Mold& mold) {
                  {"poured_out_cm3", mold.cavityVolume / 1000 - shell}};
     if (mold.settings.density > 0) {
         json["mass_g"] = shell * mold.settings.density;
-        json["mass_each_g"] = shell * mold.settings.density / mold.cavities;
+        if (mold.parts.size() == 1) // else each part has its own
+            json["mass_each_g"] = shell * mold.settings.density / mold.cavities;
     }
     return json;
 }
@@ -209,7 +232,8 @@ std::string moldJson(const Mold& mold) {
                   {"d2", vectorJson(mold.directions.d2)},
                   {"draft_deg", mold.draftDegrees},
                   {"worst_draft_deg", mold.castCertificate.worstDraftDegrees},
-                  {"part_to_mold", partToMold(mold)},
+                  {"part_to_mold", partToMold(mold, mold.partToMold)},
+                  {"parts", parts(mold)},
                   {"shrink", shrink(mold)},
                   {"cavities", mold.cavities},
                   {"half1", json(mold.half1)},

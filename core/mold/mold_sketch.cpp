@@ -20,13 +20,12 @@ MoldSketcher::~MoldSketcher() = default;
 MoldSketcher::MoldSketcher(MoldSketcher&&) noexcept = default;
 MoldSketcher& MoldSketcher::operator=(MoldSketcher&&) noexcept = default;
 
-Result<MoldSketcher> MoldSketcher::prepared(const IndexedMesh& cast, const SideLabels& labels,
-                                            const MoldState& state, double draftDegrees,
+Result<MoldSketcher> MoldSketcher::prepared(const Tray& tray, double draftDegrees,
                                             const MoldSettings& settings) {
     MoldSettings unplaced = settings;
     unplaced.placed.clear();
     MoldBuilder builder(unplaced, draftDegrees);
-    Result<void> done = builder.place(cast, labels, state);
+    Result<void> done = builder.place(tray);
     if (done)
         done = builder.makeKinds();
     if (done)

@@ -29,9 +29,9 @@ struct MoldSketch {
 /// dragged: what does not depend on that is prepared once.
 class MoldSketcher {
 public:
-    /// Errors: as those of buildMold() for cast and layout. Takes about as long as a certificate of the cast.
-    [[nodiscard]] static Result<MoldSketcher> prepared(const IndexedMesh& cast, const SideLabels& labels,
-                                                       const MoldState& state, double draftDegrees,
+    /// Errors: as those of buildMold() for casts and layout. Takes about as long as certificates of the
+    /// casts.
+    [[nodiscard]] static Result<MoldSketcher> prepared(const Tray& tray, double draftDegrees,
                                                        const MoldSettings& settings);
     ~MoldSketcher();
     MoldSketcher(MoldSketcher&&) noexcept;

@@ -148,9 +148,13 @@ Project withMoldSettings(Project project, const MoldSettings& settings) {
 
 Project withCast(Project project, const DesignResult& result, double draftDegrees) {
     project.state = result.state;
-    project.cast = std::make_shared<const CastResult>(
-        CastResult{result.cast, result.labels, result.state, draftDegrees, result.change, result.limbs,
-                   result.regions, result.before, result.steps});
+    project.cast = std::make_shared<const CastResult>(CastResult{{result.cast, result.labels, result.state},
+                                                                 draftDegrees,
+                                                                 result.change,
+                                                                 result.limbs,
+                                                                 result.regions,
+                                                                 result.before,
+                                                                 result.steps});
     return project;
 }
 

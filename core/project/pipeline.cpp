@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/pipeline.h"
 
+#include "project/variants.h"
+
 namespace moldwright {
 
 Result<Evaluation> evaluate(const Project& project, const Task& task) {
@@ -17,7 +19,7 @@ Result<Evaluation> evaluate(const Project& project, const Task& task) {
         return evaluation;
     const CastResult& cast = *project.cast;
     Result<Mold> mold =
-        buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, project.mold, task.part(0.3, 0.8));
+        buildMold(trayOf(project, project.name), cast.draftDegrees, project.mold, task.part(0.3, 0.8));
     if (!mold && mold.error().code == ErrorCode::Cancelled)
         return stopped();
     task.progress(0.8, "Draft of the cast");

@@ -45,10 +45,7 @@ struct DesignSettings {
 };
 
 /// What a design run made: kept in the project, since it cannot be recomputed in a blink.
-struct CastResult {
-    SharedMesh mesh;
-    SideLabels labels;
-    MoldState state;
+struct CastResult : CertifiedCast {
     double draftDegrees = 1;
     Change change;
     std::vector<LimbMeasure> limbs;

@@ -6,6 +6,7 @@
 #include "design/strain.h"
 #include "mesh/measures.h"
 #include "mold/mold.h"
+#include "project/variants.h"
 
 #include <numeric>
 #include <vector>
@@ -34,7 +35,7 @@ VariantFigures variantFigures(const IndexedMesh& part, const Variant& variant) {
         figures.rmsDistance = rmsDistance(part, *cast.mesh, cast.before);
     }
     figures.filledVolume = cast.change.filledVolumeFraction * volume(part);
-    if (const auto size = blockSize(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, variant.mold))
+    if (const auto size = blockSize(trayOf(variant, {}), cast.draftDegrees, variant.mold))
         figures.blockSize = *size;
     figures.steps = cast.steps;
     return figures;

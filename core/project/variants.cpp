@@ -68,6 +68,10 @@ Result<Project> atVariant(Project project, const std::string& name, const std::s
     return withVariant(std::move(project), *number);
 }
 
+Tray trayOf(const Variant& variant, const std::string& name) {
+    return {{variant.cast, name, {}, 1}};
+}
+
 std::string variantNames(const Project& project) {
     std::string names;
     for (std::size_t i = 0; i < variantCount(project); ++i)

@@ -22,6 +22,8 @@ namespace moldwright {
 /// naming the file and its variants.
 [[nodiscard]] Result<Project> atVariant(Project project, const std::string& name,
                                         const std::string& fileName);
+/// What a variant's mold is built for. Precondition: it has a cast. `name`: of the part.
+[[nodiscard]] Tray trayOf(const Variant& variant, const std::string& name);
 /// Joined by commas, for sentences.
 [[nodiscard]] std::string variantNames(const Project& project);
 

@@ -76,9 +76,10 @@ constexpr Size kSizes[] = {{"volume", "{0}", " mm³"},
                                                    MW_TEXT("Report", "ejector hole"),
                                                    MW_TEXT("Report", "outside")};
 
-/// All features of one name.
+/// All features of one name and part.
 struct Kind {
     std::string name;
+    std::string part;
     int count = 0;
     std::map<std::string, std::pair<double, double>> range; ///< by key: the least and the greatest
 
@@ -97,9 +98,11 @@ std::vector<Kind> kindsOf(const Mold& mold) {
     for (const MoldFeature& feature : mold.features) {
         if (feature.kind == "block")
             continue;
-        auto kind = std::ranges::find(kinds, feature.name, &Kind::name);
+        auto kind = std::ranges::find_if(kinds, [&](const Kind& known) {
+            return known.name == feature.name && known.part == feature.part;
+        });
         if (kind == kinds.end())
-            kind = kinds.insert(kinds.end(), {feature.name, 0, {}});
+            kind = kinds.insert(kinds.end(), {feature.name, feature.part, 0, {}});
         kind->add(feature);
     }
     return kinds;
@@ -137,8 +140,9 @@ std::optional<ReportTable> featureTable(const Mold& mold, const Phrases& say) {
                       {4, 1, 7}};
     bool more = false;
     for (const Kind& kind : kindsOf(mold)) {
-        table.rows.push_back({say(kind.name), std::to_string(kind.count), sizesOf(kind, say)});
-        more = more || !kind.name.starts_with("Cavity");
+        table.rows.push_back({say(kind.name) + (kind.part.empty() ? "" : " (" + kind.part + ")"),
+                              std::to_string(kind.count), sizesOf(kind, say)});
+        more = more || !kind.name.starts_with("Cavity") || !kind.part.empty();
     }
     if (!more)
         return std::nullopt;

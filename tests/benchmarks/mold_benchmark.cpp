@@ -38,12 +38,12 @@ IndexedMesh hillyRing(int faces) {
 }
 
 /// Copies of a cast in rows and columns with a block about them.
-struct Tray {
+struct CopiedCast {
     IndexedMesh cast;
     std::vector<Vector2d> places;
     Eigen::AlignedBox3d block;
 
-    Tray(int faces, int side) : cast(hillyRing(faces)) {
+    CopiedCast(int faces, int side) : cast(hillyRing(faces)) {
         const Eigen::AlignedBox3d box = boundingBox(cast);
         const double pitch = std::ceil(box.sizes().head<2>().maxCoeff()) + kWall;
         for (int i = 0; i < side; ++i)
@@ -98,7 +98,7 @@ MoldSettings everythingOn(int side) {
 static void moldHalves(benchmark::State& state) {
     const auto faces = static_cast<int>(state.range(0));
     const auto side = static_cast<int>(state.range(1));
-    const Tray tray(faces, side);
+    const CopiedCast tray(faces, side);
     state.counters["faces"] = tray.cast.faceCount();
     state.counters["cavities"] = side * side;
     Best best(state);
@@ -129,13 +129,12 @@ static void moldWithEverything(benchmark::State& state) {
     const Subject& subject = subjectOf(state);
     const auto side = static_cast<int>(state.range(1));
     const DesignResult designed = designOf(subject);
+    const Tray tray = trayOf({designed.cast, designed.labels, designed.state});
     Best best(state);
     double check = std::numeric_limits<double>::infinity();
     Result<Mold> mold = failure(ErrorCode::Internal, "not built");
     for (auto _ : state) {
-        best.round([&] {
-            mold = buildMold(*designed.cast, designed.labels, designed.state, 1, everythingOn(side));
-        });
+        best.round([&] { mold = buildMold(tray, 1, everythingOn(side)); });
         if (!mold || !mold->verified())
             return state.SkipWithError(mold ? "not proved" : mold.error().english().c_str());
         check = std::min(check, secondsOf([&] {
@@ -164,12 +163,12 @@ static void liveDrag(benchmark::State& state) {
     const auto faces = static_cast<int>(state.range(0));
     const auto side = static_cast<int>(state.range(1));
     const bool spout = state.range(2) == 0;
-    const IndexedMesh cast = hillyRing(faces);
-    const SideLabels labels = labelSides(cast, {});
+    const auto cast = std::make_shared<const IndexedMesh>(hillyRing(faces));
+    const SideLabels labels = labelSides(*cast, {});
     const MoldSettings settings = everythingOn(side);
     Result<MoldSketcher> sketcher = failure(ErrorCode::Internal, "not prepared");
     const double preparing =
-        secondsOf([&] { sketcher = MoldSketcher::prepared(cast, labels, MoldState(), 1, settings); });
+        secondsOf([&] { sketcher = MoldSketcher::prepared(trayOf({cast, labels, {}}), 1, settings); });
     if (!sketcher)
         return state.SkipWithError(sketcher.error().english().c_str());
     const Result<MoldSketch> start = sketcher->sketch({});
@@ -189,7 +188,7 @@ static void liveDrag(benchmark::State& state) {
         if (!sketch)
             return state.SkipWithError(sketch.error().english().c_str());
     }
-    state.counters["faces"] = cast.faceCount();
+    state.counters["faces"] = cast->faceCount();
     state.counters["cavities"] = side * side;
     state.counters["worst_ms"] = 1e3 * worst;
     state.counters["updates_per_s"] = 1 / worst;

@@ -81,7 +81,7 @@ static void certificateAndMold(benchmark::State& state) {
         contest.round(
             [&] {
                 benchmark::DoNotOptimize(
-                    buildMold(*designed.cast, designed.labels, designed.state, 1, MoldSettings{}));
+                    buildMold(trayOf({designed.cast, designed.labels, designed.state}), 1, MoldSettings{}));
             },
             [&] { benchmark::DoNotOptimize(certify(*designed.cast, designed.labels, designed.state, 1)); });
     contest.conclude("certificate", "ms", 1e3);

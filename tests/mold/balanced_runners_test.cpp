@@ -178,8 +178,7 @@ TEST(BalancedRunners, AreNotAskedForWithoutRunners) {
 TEST(BalancedRunners, AreSketchedAsTheyAreBuilt) {
     const KnownCast cast = frusta(20, 10, 5, 3, lean);
     MoldSettings settings = balancedGrid(2, 4);
-    Result<MoldSketcher> sketcher =
-        MoldSketcher::prepared(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, 1, settings);
+    Result<MoldSketcher> sketcher = MoldSketcher::prepared(test::trayOf(cast), 1, settings);
     ASSERT_TRUE(sketcher);
     settings.placed = {{Placeable::Key, 1, {2, 3}}};
     const Result<MoldSketch> sketch = sketcher->sketch(settings.placed);

@@ -90,13 +90,13 @@ TEST(CircleLayout, MovesCopiesWhereTheDirectionsForbidATurn) {
     expectVerified(mold);
     const auto [least, most] = std::minmax_element(mold->pathLengths.begin(), mold->pathLengths.end());
     EXPECT_NEAR(*least, *most, 0.01);
-    std::vector<CavityKind> kinds =
-        kindsRound(cast.mesh, labelSides(cast.mesh, {}), cast.state.directions, 1, 1.0 / 65536, 6);
+    std::vector<CavityKind> kinds = kindsRound({cavityKind(cast.mesh, labelSides(cast.mesh, {}))},
+                                               {0, 0, 0, 0, 0, 0}, {cast.state.directions, 1, 1.0 / 65536});
     for (const CavityKind& kind : kinds)
         EXPECT_EQ(kind.cast.V, cast.mesh.V);
     const KnownCast upright = ball(12, 4);
-    kinds =
-        kindsRound(upright.mesh, labelSides(upright.mesh, {}), upright.state.directions, 1, 1.0 / 65536, 6);
+    kinds = kindsRound({cavityKind(upright.mesh, labelSides(upright.mesh, {}))}, {0, 0, 0, 0, 0, 0},
+                       {upright.state.directions, 1, 1.0 / 65536});
     EXPECT_NE(kinds[0].cast.V, kinds[1].cast.V);
     for (const CavityKind& kind : kinds)
         EXPECT_NEAR(kind.inlet.norm(), 1, 1e-12);

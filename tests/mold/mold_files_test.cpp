@@ -5,6 +5,7 @@
 
 #include "support/casts.h"
 #include "support/folders.h"
+#include "support/molds.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,7 @@ namespace {
 
 Mold plainMold() {
     const KnownCast cast = moved(frusta(20, 10, 5, 3, 0.1), {1, 2, 3}, 0.5, {1, 2, 3});
-    return buildMold(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, 1, {}).value();
+    return moldOf(cast, {}).value();
 }
 
 std::string bytesOf(const std::filesystem::path& file) {

@@ -14,8 +14,7 @@ using Eigen::Vector2d;
 namespace {
 
 Result<MoldSketcher> sketcherOf(const KnownCast& cast, const MoldSettings& settings) {
-    return MoldSketcher::prepared(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, 1,
-                                  settings);
+    return MoldSketcher::prepared(trayOf(cast), 1, settings);
 }
 
 void expectSameFeatures(const std::vector<MoldFeature>& sketched, const std::vector<MoldFeature>& built) {

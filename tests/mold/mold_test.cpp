@@ -4,6 +4,7 @@
 #include "mesh/check.h"
 #include "mesh/measures.h"
 #include "support/casts.h"
+#include "support/molds.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -18,19 +19,12 @@ using Eigen::Vector3d;
 namespace {
 
 Result<Mold> moldOf(const KnownCast& cast, double draft = 1, const MoldSettings& settings = {}) {
-    return buildMold(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, draft, settings);
+    return buildMold(test::trayOf(cast), draft, settings);
 }
 
 /// Volume of a frustum over a × b, height h, lean l: the integral of (a − 2lz)(b − 2lz).
 double frustum(double a, double b, double h, double l) {
     return a * b * h - (a + b) * l * h * h + 4.0 / 3 * l * l * h * h * h;
-}
-
-void expectVerified(const Result<Mold>& mold) {
-    ASSERT_TRUE(mold.has_value()) << mold.error().english();
-    for (const std::string& problem : mold->problems)
-        ADD_FAILURE() << problem;
-    EXPECT_TRUE(mold->verified()) << mold->castCertificate.reason;
 }
 
 const double lean = std::tan(radians(5));
@@ -137,8 +131,7 @@ TEST(Mold, CanBeCancelled) {
     const Task task;
     task.cancel();
     const KnownCast cast = ball(10, 3);
-    const Result<Mold> mold =
-        buildMold(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, 1, {}, task);
+    const Result<Mold> mold = buildMold(test::trayOf(cast), 1, {}, task);
     ASSERT_FALSE(mold.has_value());
     EXPECT_EQ(mold.error().code, ErrorCode::Cancelled);
 }

@@ -205,8 +205,7 @@ TEST(Overflows, GoWhereAHandPutsThem) {
     const Vector2d way = (well.place.head<2>() - well.origin).normalized();
     EXPECT_NEAR(way.dot(Vector2d(13, -10).normalized()), 1, 1e-3) << "it leads straight out there";
     // The sketch that is shown while it is dragged agrees.
-    Result<MoldSketcher> sketcher =
-        MoldSketcher::prepared(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, 1, settings);
+    Result<MoldSketcher> sketcher = MoldSketcher::prepared(trayOf(cast), 1, settings);
     ASSERT_TRUE(sketcher);
     const Result<MoldSketch> sketch = sketcher->sketch(settings.placed);
     ASSERT_TRUE(sketch);

@@ -147,8 +147,7 @@ TEST(PourTilt, IsSuggestedWhereVentsLeaveAir) {
     EXPECT_EQ(automatic->half1.mesh->V, tilted->half1.mesh->V);
     // What is shown while a feature is dragged leans too.
     const KnownCast cast = towers();
-    Result<MoldSketcher> sketcher =
-        MoldSketcher::prepared(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, 1, settings);
+    Result<MoldSketcher> sketcher = MoldSketcher::prepared(trayOf(cast), 1, settings);
     ASSERT_TRUE(sketcher);
     EXPECT_NEAR(sketcher->sketch({})->trappedAir, tilted->trappedAir, 1e-9);
 }

@@ -6,6 +6,7 @@
 #include "mold/half.h"
 #include "mold/mold.h"
 #include "support/casts.h"
+#include "support/molds.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 namespace {
 
 Mold moldOf(const KnownCast& cast) {
-    return buildMold(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, 1, {}).value();
+    return buildMold(test::trayOf(cast), 1, {}).value();
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "mesh/measures.h"
 #include "mold/mold.h"
 #include "support/casts.h"
+#include "support/molds.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -70,8 +71,7 @@ TEST(Section, TakesPointsAHairOffThePlaneAsInIt) {
 
 TEST(Section, OfBothHalvesAndTheCastFillsTheBlock) {
     const test::KnownCast cast = test::frusta(20, 10, 5, 3, 0.1);
-    const Result<Mold> mold =
-        buildMold(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, 1, MoldSettings{});
+    const Result<Mold> mold = buildMold(test::trayOf(cast), 1, MoldSettings{});
     ASSERT_TRUE(mold);
     const PartingPlane upright{Vector3d(0.8, 0.6, 0), 0.3};
     const double halves =

@@ -59,15 +59,13 @@ Project someProject() {
     project.mold.shrink.percent = Eigen::Vector3d(1, 2, 3);
     project.state = cast.state;
     project.planeChosenByHand = true;
-    project.cast =
-        std::make_shared<const CastResult>(CastResult{std::make_shared<const IndexedMesh>(cast.mesh),
-                                                      labelSides(cast.mesh, cast.state.plane),
-                                                      cast.state,
-                                                      2.5,
-                                                      {0.01, 0.02, 1.1, 0.03},
-                                                      {{{1, 2, 3}, 0.9, 0.8}},
-                                                      {{"eye", 0.5, 0.25, 0.01, false}, {"Logo ∅", 1, 0.5}},
-                                                      1.01 * cast.mesh.V});
+    project.cast = std::make_shared<const CastResult>(CastResult{
+        {std::make_shared<const IndexedMesh>(cast.mesh), labelSides(cast.mesh, cast.state.plane), cast.state},
+        2.5,
+        {0.01, 0.02, 1.1, 0.03},
+        {{{1, 2, 3}, 0.9, 0.8}},
+        {{"eye", 0.5, 0.25, 0.01, false}, {"Logo ∅", 1, 0.5}},
+        1.01 * cast.mesh.V});
     return project;
 }
 

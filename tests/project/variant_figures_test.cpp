@@ -5,6 +5,7 @@
 #include "mold/mold.h"
 #include "project/edits.h"
 #include "project/some_project.h"
+#include "project/variants.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +46,7 @@ TEST(VariantFigures, BlockIsThatOfTheMold) {
     EXPECT_TRUE(figures.castable);
     EXPECT_GE(figures.worstDraftDegrees, 2.5);
     const CastResult& cast = *project.cast;
-    const Mold mold = buildMold(*cast.mesh, cast.labels, cast.state, cast.draftDegrees, project.mold).value();
+    const Mold mold = buildMold(trayOf(project, project.name), cast.draftDegrees, project.mold).value();
     const Eigen::Vector3d size = mold.half1.size + Eigen::Vector3d(0, 0, mold.half2.size.z());
     EXPECT_LT((figures.blockSize.value() - size).norm(), 1e-9);
 }

@@ -22,8 +22,7 @@ ReportSubject subjectWith(const KnownCast& cast) {
     subject.cast = subject.part;
     subject.state = cast.state;
     subject.change = Change{0.01, 0.05, 0.998, 0};
-    const SideLabels labels = labelSides(cast.mesh, cast.state.plane);
-    subject.mold = std::make_shared<const Mold>(buildMold(cast.mesh, labels, cast.state, 1, {}).value());
+    subject.mold = std::make_shared<const Mold>(moldOf(cast, {}).value());
     return subject;
 }
 
@@ -194,6 +193,23 @@ TEST(ReportData, TellsWhatTheBuilderNoted) {
     subject.mold = std::make_shared<const Mold>(mold);
     EXPECT_EQ(reportData(subject).notes,
               (std::vector<std::string>{"The ways are not equally long.", "Key: Its walls lean."}));
+}
+
+TEST(ReportData, ListsCavitiesOfEachPartApart) {
+    const KnownCast box = frusta(20, 10, 5, 3, 0.1);
+    Tray tray = test::trayOf(box);
+    tray.push_back(test::trayOf(ball(6, 3)).front());
+    tray[0].name = "box";
+    tray[1].name = "ball";
+    tray[1].count = 2;
+    ReportSubject subject = subjectWith(box);
+    subject.mold = std::make_shared<const Mold>(buildMold(tray, 1, {}).value());
+    const ReportData data = reportData(subject);
+    ASSERT_TRUE(data.features) << "cavities of two parts need a page";
+    std::vector<std::string> rows;
+    for (const auto& row : data.features->rows)
+        rows.push_back(row[0] + " " + row[1]);
+    EXPECT_EQ(rows, (std::vector<std::string>{"Cavity (box) 1", "Cavity (ball) 2"}));
 }
 
 TEST(ReportData, SpeaksTheReadersLanguage) {

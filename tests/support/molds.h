@@ -9,12 +9,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
 namespace moldwright::test {
 
+/// A tray of the cast alone.
+inline Tray trayOf(const KnownCast& cast) {
+    return moldwright::trayOf({std::make_shared<const IndexedMesh>(cast.mesh),
+                               labelSides(cast.mesh, cast.state.plane), cast.state});
+}
+
 inline Result<Mold> moldOf(const KnownCast& cast, const MoldSettings& settings, double draft = 1) {
-    return buildMold(cast.mesh, labelSides(cast.mesh, cast.state.plane), cast.state, draft, settings);
+    return buildMold(trayOf(cast), draft, settings);
 }
 
 /// The mold was built and all of its proof holds.

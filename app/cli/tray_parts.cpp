@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "cli/tray_parts.h"
+
+#include "cli/open_project.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace moldwright::cli {
+
+namespace {
+
+struct GivenPart {
+    std::string path;
+    int count = 1;
+};
+
+/// What ends in a colon and a number is a path and a count, unless there is a file of that name.
+GivenPart given(const std::string& text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos || std::filesystem::exists(text))
+        return {text};
+    GivenPart part{text.substr(0, colon)};
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + colon + 1, end, part.count);
+    return read.ec == std::errc() && read.ptr == end ? part : GivenPart{text};
+}
+
+std::string nameOfFolder(const std::filesystem::path& path) {
+    const std::filesystem::path plain = path.has_filename() ? path : path.parent_path();
+    return plain.stem().string();
+}
+
+/// The project's name; where another part has that, the folder's or file's.
+std::string freeName(const Tray& tray, const std::string& name, const std::string& path) {
+    const bool taken = std::ranges::find(tray, name, &TrayPart::name) != tray.end();
+    return taken ? nameOfFolder(path) : name;
+}
+
+} // namespace
+
+void addTrayOption(CLI::App& app, std::vector<std::string>& parts) {
+    app.add_option("--with", parts,
+                   "Another part in the same mold, and how many of it: a project file or folder written by "
+                   "design; may be given again")
+        ->type_name("FILE|DIR[:N]")
+        ->allow_extra_args(false);
+}
+
+Result<Tray> withParts(Tray tray, const std::vector<std::string>& parts) {
+    for (const std::string& text : parts) {
+        const GivenPart part = given(text);
+        const Result<Project> project = projectAt(part.path, {});
+        if (!project)
+            return failure(project.error().code, MW_TEXT("cli", "--with {0}: {1}"),
+                           {part.path, project.error().english()});
+        if (!project->cast)
+            return failure(ErrorCode::BadInput,
+                           MW_TEXT("cli", "{0} holds no finished cast. Run design first."), {part.path});
+        tray.push_back({project->cast, freeName(tray, project->name, part.path), part.path, part.count});
+    }
+    return tray;
+}
+
+std::string partsInWords(const std::vector<PartOfMold>& parts) {
+    std::string words;
+    for (const PartOfMold& part : parts)
+        words += (words.empty() ? "" : ", ") + std::to_string(part.cavities) + " × " + part.name;
+    return words;
+}
+
+} // namespace moldwright::cli
