@@ -165,6 +165,22 @@ TEST(Tray, HangsSmallPartsAsNearToTheRunnerAsLargeOnes) {
     EXPECT_NEAR(slab, ball, 0.1);
 }
 
+TEST(Tray, IsFilledOverWaysOfOneLengthByBalancedRunners) {
+    MoldSettings settings = arranged(Arrangement::Grid, 2, 2);
+    settings.spout.runners = Runners::Balanced;
+    const Result<Mold> mold = buildMold(barAndBall(2, 2), 1, settings);
+    ASSERT_TRUE(mold) << mold.error().english();
+    EXPECT_TRUE(mold->verified());
+    ASSERT_EQ(mold->pathLengths.size(), 4U);
+    const auto [least, most] = std::ranges::minmax(mold->pathLengths);
+    EXPECT_NEAR(least, most, 1e-9);
+    // One bar and a ball fit in a row of one place each: what the tray asks for counts, not the settings.
+    settings.layout.rows = settings.layout.columns = 1;
+    const Result<Mold> row = buildMold(barAndBall(), 1, settings);
+    ASSERT_TRUE(row) << row.error().english();
+    EXPECT_NEAR(row->pathLengths.front(), row->pathLengths.back(), 1e-9);
+}
+
 TEST(Tray, NamesEachCavityByItsPart) {
     const Result<Mold> mold = buildMold(barAndBall(1, 2), 1, {});
     expectVerified(mold);
