@@ -25,10 +25,9 @@ Result<CompensatedCast> compensated(const IndexedMesh& cast, const MoldState& st
     if (result.factors == Eigen::Vector3d::Ones())
         return result;
     for (int v = 0; v < cast.vertexCount(); ++v)
-        result.mesh.V.row(v) =
-            (shrink.origin + result.factors.cwiseProduct(cast.point(v) - shrink.origin)).transpose();
+        result.mesh.V.row(v) = madeLarger(cast.point(v), result.factors, shrink.origin).transpose();
     const Eigen::Vector3d onPlane = state.plane.offset * state.plane.normal;
-    const Eigen::Vector3d moved = shrink.origin + result.factors.cwiseProduct(onPlane - shrink.origin);
+    const Eigen::Vector3d moved = madeLarger(onPlane, result.factors, shrink.origin);
     if (result.factors.minCoeff() != result.factors.maxCoeff()) {
         // A uniform factor keeps all angles: dividing by it would only round.
         result.state.plane.normal = state.plane.normal.cwiseQuotient(result.factors).normalized();

@@ -11,6 +11,12 @@ namespace moldwright {
 /// The factor that makes up for `percent` of linear shrink: 1 + S or 1/(1 − S). Precondition: percent < 100.
 [[nodiscard]] double shrinkFactor(double percent, ShrinkFormula formula);
 
+/// A place of the part where shrink is made up for, mm: `origin` stays.
+[[nodiscard]] inline Eigen::Vector3d madeLarger(const Eigen::Vector3d& place, const Eigen::Vector3d& factors,
+                                                const Eigen::Vector3d& origin) {
+    return origin + factors.cwiseProduct(place - origin);
+}
+
 /// A cast with the plane and directions that it is castable in.
 struct CompensatedCast {
     IndexedMesh mesh;

@@ -13,6 +13,7 @@ TEST(WayOut, IsFreeWhereTheMoldIsProved) {
     for (const double shrink : {0.0, 2.0}) {
         MoldSettings settings = everyFeature();
         settings.shrink.percent.setConstant(shrink);
+        settings.shrink.origin = {150, 0, -40}; // far from the part, which goes away from it
         const KnownCast cast = moved(sheared(ball(15, 4), 0.2, -0.1), Vector3d(1, 2, 3).normalized(), 0.7,
                                      Vector3d(30, -20, 10));
         const Result<Mold> mold = moldOf(cast, settings, 0.5);
