@@ -68,7 +68,7 @@ TEST(MoldPage, EveryValueGoesIntoTheSettingsAndComesBack) {
             ASSERT_TRUE(changed) << row.id.toStdString();
             EXPECT_FALSE(withMoldValue(*changed, row.id, value)) << row.id.toStdString() << " twice";
         }
-    EXPECT_EQ(fields, 47);
+    EXPECT_EQ(fields, 48);
     EXPECT_FALSE(withMoldValue(project, u"draft"_s, 3));
 }
 
