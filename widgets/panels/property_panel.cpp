@@ -55,8 +55,8 @@ void setFilled(QPushButton* button, bool filled) {
     if (button->property("primary").toBool() == filled)
         return;
     button->setProperty("primary", filled);
-    button->style()->unpolish(button); // the style sheet is asked once only
-    button->style()->polish(button);
+    button->updateGeometry(); // a filled button's words are bold
+    button->update();
 }
 
 /// Whether the button of an action is filled: of tools the one in use, else what is to be done next.

@@ -48,6 +48,31 @@ void drawToolGround(const QStyleOption* option, QPainter* painter) {
     painter->restore();
 }
 
+/// A screen's one filled button is named by a property.
+bool isPrimary(const QWidget* widget) {
+    return widget && widget->property("primary").toBool();
+}
+
+QFont bold(QFont font) {
+    font.setBold(true);
+    return font;
+}
+
+void drawPrimaryGround(const QStyleOption* option, QPainter* painter) {
+    const QPalette& palette = theme().palette;
+    const bool enabled = option->state.testFlag(QStyle::State_Enabled);
+    const QColor accent = palette.color(QPalette::Highlight);
+    const bool hovered = option->state.testFlag(QStyle::State_MouseOver);
+    const bool focused = enabled && option->state.testFlag(QStyle::State_HasFocus);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setBrush(!enabled ? palette.color(QPalette::Midlight) : hovered ? accent.darker(112) : accent);
+    painter->setPen(focused ? QPen(palette.color(QPalette::WindowText), 2) : QPen(Qt::NoPen));
+    const double edge = focused ? 1 : 0;
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(edge, edge, -edge, -edge), 3, 3);
+    painter->restore();
+}
+
 bool hasFocusRing(const QStyleOption* option) {
     return option->state.testFlag(QStyle::State_HasFocus) && option->state.testFlag(QStyle::State_Enabled);
 }
@@ -60,6 +85,8 @@ void MoldwrightStyle::drawPrimitive(PrimitiveElement element, const QStyleOption
                                     const QWidget* widget) const {
     switch (element) {
     case PE_FrameFocusRect:
+        if (isPrimary(widget))
+            return; // its ground has the ring
         drawFocusRing(painter, option->rect);
         return;
     case PE_FrameLineEdit:
@@ -80,6 +107,10 @@ void MoldwrightStyle::drawPrimitive(PrimitiveElement element, const QStyleOption
         break;
     }
     case PE_PanelButtonCommand: {
+        if (isPrimary(widget)) {
+            drawPrimaryGround(option, painter);
+            return;
+        }
         if (const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option)) {
             const QStyleOptionButton outlined = withOutline(*button);
             QProxyStyle::drawPrimitive(element, &outlined, painter, widget);
@@ -111,6 +142,19 @@ void MoldwrightStyle::drawControl(ControlElement element, const QStyleOption* op
         painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1),
                           theme().palette.color(QPalette::Midlight));
         break;
+    case CE_PushButtonLabel:
+        if (const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+            button && isPrimary(widget)) {
+            QStyleOptionButton label = *button;
+            if (label.state.testFlag(State_Enabled))
+                label.palette.setColor(QPalette::ButtonText, Qt::white);
+            painter->setFont(bold(widget->font()));
+            label.fontMetrics = painter->fontMetrics();
+            QProxyStyle::drawControl(element, &label, painter, widget);
+            return;
+        }
+        QProxyStyle::drawControl(element, option, painter, widget);
+        break;
     case CE_MenuBarEmptyArea:
         painter->fillRect(option->rect, theme().palette.color(QPalette::Window));
         break;
@@ -132,6 +176,10 @@ QSize MoldwrightStyle::sizeFromContents(ContentsType type, const QStyleOption* o
     QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
     if (type == CT_MenuBarItem)
         size.setHeight(menuBarHeight);
+    if (const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+        button && type == CT_PushButton && isPrimary(widget))
+        size.rwidth() += QFontMetrics(bold(widget->font())).horizontalAdvance(button->text) -
+                         option->fontMetrics.horizontalAdvance(button->text);
     return size;
 }
 
@@ -165,6 +213,8 @@ int MoldwrightStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
         return 4;
     case PM_ToolBarFrameWidth:
         return 0;
+    case PM_ToolTipLabelFrameWidth:
+        return 4;
     case PM_SmallIconSize:
         return 16;
     default:

@@ -91,21 +91,6 @@ bool desktopIsDark() {
     return dark;
 }
 
-/// All the style sheet there is: a filled button cannot come from the palette.
-QString styleSheetFor(const Theme& t) {
-    const QString accent = t.palette.color(QPalette::Highlight).name();
-    return QStringLiteral(
-               "QPushButton[primary=\"true\"]{background:%1;color:#fff;border:1px solid %1;border-radius:3px;"
-               "padding:5px 10px;font-weight:700}"
-               "QPushButton[primary=\"true\"]:hover{background:%2}"
-               "QPushButton[primary=\"true\"]:focus{border:2px solid %4;padding:4px 9px}"
-               "QPushButton[primary=\"true\"]:disabled{background:%3;border-color:%3;color:%5}"
-               "QToolTip{padding:4px 6px;border:1px solid %3}")
-        .arg(accent, t.palette.color(QPalette::Highlight).darker(112).name(),
-             t.palette.color(QPalette::Midlight).name(), t.palette.color(QPalette::WindowText).name(),
-             t.palette.color(QPalette::Disabled, QPalette::Text).name());
-}
-
 } // namespace
 
 const Theme& theme() {
@@ -117,7 +102,6 @@ void useTheme(ThemeChoice choice) {
     const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemDark);
     current() = dark ? darkTheme() : lightTheme();
     QApplication::setPalette(theme().palette);
-    qApp->setStyleSheet(styleSheetFor(theme()));
 }
 
 QColor toColor(scene::Rgb rgb) {
