@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "features/stencil_letters.h"
+#include "support/plan_area.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +13,6 @@ using Eigen::Vector2d;
 namespace {
 
 const std::string everyLetter = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-.,:/%°#+()ÄÖÜÀÉÎÑÇÅ";
-
-double areaOf(const PlanShape& shape) {
-    double doubled = 0;
-    for (std::size_t k = 0; k < shape.size(); ++k) {
-        const Vector2d& a = shape[k];
-        const Vector2d& b = shape[(k + 1) % shape.size()];
-        doubled += a.x() * b.y() - a.y() * b.x();
-    }
-    return doubled / 2;
-}
 
 /// Whether two edges of the outline that are no neighbours meet.
 bool crossesItself(const PlanShape& shape) {
@@ -42,10 +33,10 @@ bool crossesItself(const PlanShape& shape) {
 TEST(StencilLetters, AStrokeIsAsWideAsItShallBe) {
     const PlanShape straight = strokeOutline({{0, 0}, {10, 0}}, 2);
     EXPECT_EQ(straight.size(), 4U);
-    EXPECT_NEAR(areaOf(straight), 20, 1e-12);
+    EXPECT_NEAR(test::planArea(straight), 20, 1e-12);
     // A mitred right angle: both arms, and their common corner once.
-    EXPECT_NEAR(areaOf(strokeOutline({{0, 0}, {10, 0}, {10, 5}}, 2)), 2 * 10 + 2 * 5, 1e-12);
-    EXPECT_NEAR(areaOf(strokeOutline({{0, 0}, {10, 0}, {10, -5}}, 2)), 2 * 10 + 2 * 5, 1e-12);
+    EXPECT_NEAR(test::planArea(strokeOutline({{0, 0}, {10, 0}, {10, 5}}, 2)), 2 * 10 + 2 * 5, 1e-12);
+    EXPECT_NEAR(test::planArea(strokeOutline({{0, 0}, {10, 0}, {10, -5}}, 2)), 2 * 10 + 2 * 5, 1e-12);
     // A sharp one is cut off where it would stick out by more than the stroke's width.
     for (const Vector2d& p : strokeOutline({{0, 0}, {10, 0}, {0, 2}}, 2))
         EXPECT_LT(p.x(), 11.1);
@@ -57,7 +48,7 @@ TEST(StencilLetters, KeepTheirStrokesApart) {
     ASSERT_TRUE(text) << text.error().english();
     for (std::size_t i = 0; i < text->strokes.size(); ++i) {
         const PlanShape& stroke = text->strokes[i];
-        EXPECT_GT(areaOf(stroke), 0.5) << "counter-clockwise";
+        EXPECT_GT(test::planArea(stroke), 0.5) << "counter-clockwise";
         EXPECT_FALSE(crossesItself(stroke)) << i;
         for (std::size_t j = i + 1; j < text->strokes.size(); ++j)
             EXPECT_GE(planDistance(stroke, text->strokes[j]), 0.6 - 1e-9)

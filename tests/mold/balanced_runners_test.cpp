@@ -7,6 +7,7 @@
 #include "mold/mold_sketch.h"
 #include "support/casts.h"
 #include "support/molds.h"
+#include "support/plan_area.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -41,16 +42,6 @@ ChannelBranch gateAt(double x, double y, double reach, std::size_t copy) {
     return {{x, y}, reach, {}, copy};
 }
 
-double areaOf(const PlanShape& shape) {
-    double doubled = 0;
-    for (std::size_t k = 0; k < shape.size(); ++k) {
-        const Vector2d& a = shape[k];
-        const Vector2d& b = shape[(k + 1) % shape.size()];
-        doubled += a.x() * b.y() - a.y() * b.x();
-    }
-    return doubled / 2;
-}
-
 } // namespace
 
 TEST(ChannelTree, JoinsPairsWhereBothWaysAreAsLong) {
@@ -76,7 +67,7 @@ TEST(ChannelTree, OutlineIsThatOfItsStrips) {
     outline.shape.emplace_back(25, 17); // below the spout, which is missing
     // Arms 3 + 12 + 2 mm long, 30 − 4 mm between them, from there 10 − 2 − 3 to the spout's left side and on
     // to its right one.
-    EXPECT_NEAR(areaOf(outline.shape), 2 * 17 * 4 + 26 * 4 + 5 * 4 + 6 * 4, 1e-9);
+    EXPECT_NEAR(test::planArea(outline.shape), 2 * 17 * 4 + 26 * 4 + 5 * 4 + 6 * 4, 1e-9);
     for (const std::size_t gate : {0UL, 1UL}) {
         const Vector2d& from = outline.shape[outline.edges[gate]];
         const Vector2d& to = outline.shape[outline.edges[gate] + 1];

@@ -4,6 +4,7 @@
 
 #include "support/casts.h"
 #include "support/molds.h"
+#include "support/plan_area.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -36,16 +37,6 @@ Block boxOf(const Vector3d& low, const Vector3d& high, double outerDraft) {
 /// Volume of a body a × b at the plane whose walls go outwards by k per mm of its height h.
 double flared(double a, double b, double h, double k) {
     return a * b * h + (a + b) * k * h * h + 4.0 / 3 * k * k * h * h * h;
-}
-
-double areaOf(const PlanShape& shape) {
-    double doubled = 0;
-    for (std::size_t k = 0; k < shape.size(); ++k) {
-        const Vector2d& a = shape[k];
-        const Vector2d& b = shape[(k + 1) % shape.size()];
-        doubled += a.x() * b.y() - a.y() * b.x();
-    }
-    return doubled / 2;
 }
 
 double steelToOutside(const Mold& mold) {
@@ -170,7 +161,7 @@ TEST(Shell, IsConvexAndHoldsWhatItMust) {
         const Vector2d b = shell.body.base[(k + 2) % n] - shell.body.base[(k + 1) % n];
         EXPECT_GT(a.x() * b.y() - a.y() * b.x(), 0);
     }
-    EXPECT_LT(areaOf(shell.body.base), 0.8 * areaOf(box.body.base));
+    EXPECT_LT(test::planArea(shell.body.base), 0.8 * test::planArea(box.body.base));
     EXPECT_LE(shell.plan().min().x(), -12.5 + 1e-9) << "it stands on the middle half of its lower edge";
 }
 
