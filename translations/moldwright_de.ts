@@ -1063,6 +1063,22 @@
         <source>Mend what is wrong with the mesh, or make a closed skin about it, and open that. The file stays as it is.</source>
         <translation>Behebt, was am Netz nicht stimmt, oder legt eine geschlossene Haut darum, und öffnet das. Die Datei bleibt, wie sie ist.</translation>
     </message>
+    <message>
+        <source>&amp;Materials…</source>
+        <translation>&amp;Materialien…</translation>
+    </message>
+    <message>
+        <source>Look at what materials ask for, change them, add your own.</source>
+        <translation>Ansehen, was Materialien verlangen, sie ändern, eigene anlegen.</translation>
+    </message>
+    <message>
+        <source>&amp;Design with its draft</source>
+        <translation>Mit &amp;dessen Schräge entwerfen</translation>
+    </message>
+    <message>
+        <source>Ask for the draft that is usual for the chosen material; the cast is to be designed anew.</source>
+        <translation>Die für das gewählte Material übliche Schräge verlangen; der Abguss ist neu zu entwerfen.</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1414,16 +1430,384 @@
 <context>
     <name>Materials</name>
     <message>
-        <source>{0}: the numbers of the material {1} cannot be right.</source>
-        <translation>{0}: Die Zahlen des Werkstoffs {1} können nicht stimmen.</translation>
-    </message>
-    <message>
         <source>{0} is not a table of materials: {1}.</source>
         <translation>{0} ist keine Werkstofftabelle: {1}.</translation>
     </message>
     <message>
         <source>There is no material {0}. Known are: {1}.</source>
         <translation>Den Werkstoff {0} gibt es nicht. Bekannt sind: {1}.</translation>
+    </message>
+    <message>
+        <source>{0}: the material {1} cannot be right. {2}</source>
+        <translation>{0}: Das Material {1} kann nicht stimmen. {2}</translation>
+    </message>
+    <message>
+        <source>A material needs a name.</source>
+        <translation>Ein Material braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Shrink must be between −50 and 50 %.</source>
+        <translation>Die Schwindung muss zwischen −50 und 50 % liegen.</translation>
+    </message>
+    <message>
+        <source>Draft must be from 0 to less than 45°.</source>
+        <translation>Die Schräge muss von 0 bis unter 45° reichen.</translation>
+    </message>
+    <message>
+        <source>Density must be between 0 and 30 g/cm³.</source>
+        <translation>Die Dichte muss zwischen 0 und 30 g/cm³ liegen.</translation>
+    </message>
+    <message>
+        <source>Vents must be more than 0 and at most 5 mm deep.</source>
+        <translation>Entlüftungen müssen mehr als 0 und höchstens 5 mm tief sein.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read.</source>
+        <translation>{0} kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed: {1}.</source>
+        <translation>{0} konnte nicht entfernt werden: {1}.</translation>
+    </message>
+    <message>
+        <source>A material cannot be kept as “{0}”: up to 60 lower-case letters, digits and hyphens can name one.</source>
+        <translation>Ein Material kann nicht als „{0}“ behalten werden: bis zu 60 Kleinbuchstaben, Ziffern und Bindestriche können eines benennen.</translation>
+    </message>
+    <message>
+        <source>None of your own materials is {0}.</source>
+        <translation>Keines Ihrer eigenen Materialien ist {0}.</translation>
+    </message>
+    <message>
+        <source>Sealing the mold: {0}</source>
+        <translation>Form versiegeln: {0}</translation>
+    </message>
+    <message>
+        <source>Release agent: {0}</source>
+        <translation>Trennmittel: {0}</translation>
+    </message>
+    <message>
+        <source>Filling: {0}</source>
+        <translation>Füllen: {0}</translation>
+    </message>
+    <message>
+        <source>Setting: {0}</source>
+        <translation>Erhärten: {0}</translation>
+    </message>
+    <message>
+        <source>Preparation by {0}.</source>
+        <translation>Vorbereitung nach {0}.</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Schwindung</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Depth of vents in the parting plane</source>
+        <translation>Tiefe der Entlüftungen in der Trennebene</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is set otherwise here; usual is {2} ({3}).</source>
+        <translation>{0}: {1} ist hier anders gesetzt; üblich sind {2} ({3}).</translation>
+    </message>
+    <message>
+        <source>{0}: {1} {2} ({3}).</source>
+        <translation>{0}: {1} {2} ({3}).</translation>
+    </message>
+    <message>
+        <source>{0}: {1} {2} ({3}; {4}).</source>
+        <translation>{0}: {1} {2} ({3}; {4}).</translation>
+    </message>
+    <message>
+        <source>The cast was designed with {0}° of draft; {1} usually asks for {2}° ({3}).</source>
+        <translation>Der Abguss wurde mit {0}° Schräge entworfen; {1} verlangt üblicherweise {2}° ({3}).</translation>
+    </message>
+    <message>
+        <source>sourced</source>
+        <translation>belegt</translation>
+    </message>
+    <message>
+        <source>no source</source>
+        <translation>ohne Quelle</translation>
+    </message>
+    <message>
+        <source>make a coupon</source>
+        <translation>Probe gießen</translation>
+    </message>
+    <message>
+        <source>ask the data sheet</source>
+        <translation>Datenblatt fragen</translation>
+    </message>
+    <message>
+        <source>sources disagree</source>
+        <translation>Quellen uneins</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Polypropylene</source>
+        <translation>Polypropylen</translation>
+    </message>
+    <message>
+        <source>HDPE</source>
+        <translation>HDPE</translation>
+    </message>
+    <message>
+        <source>PA 66</source>
+        <translation>PA 66</translation>
+    </message>
+    <message>
+        <source>POM</source>
+        <translation>POM</translation>
+    </message>
+    <message>
+        <source>Polycarbonate</source>
+        <translation>Polycarbonat</translation>
+    </message>
+    <message>
+        <source>PMMA</source>
+        <translation>PMMA</translation>
+    </message>
+    <message>
+        <source>Polystyrene</source>
+        <translation>Polystyrol</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Zinc alloy</source>
+        <translation>Zinklegierung</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>Bronze</translation>
+    </message>
+    <message>
+        <source>Grey iron</source>
+        <translation>Grauguss</translation>
+    </message>
+    <message>
+        <source>Silicone (LSR)</source>
+        <translation>Silikon (LSR)</translation>
+    </message>
+    <message>
+        <source>Polyurethane resin</source>
+        <translation>Polyurethanharz</translation>
+    </message>
+    <message>
+        <source>Polyurethane foam</source>
+        <translation>Polyurethanschaum</translation>
+    </message>
+    <message>
+        <source>Plaster</source>
+        <translation>Gips</translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation>Wachs</translation>
+    </message>
+    <message>
+        <source>Concrete</source>
+        <translation>Beton</translation>
+    </message>
+    <message>
+        <source>Chocolate</source>
+        <translation>Schokolade</translation>
+    </message>
+    <message>
+        <source>Gummy candy</source>
+        <translation>Fruchtgummi</translation>
+    </message>
+    <message>
+        <source>injection</source>
+        <translation>Spritzguss</translation>
+    </message>
+    <message>
+        <source>gravity, permanent mold</source>
+        <translation>Kokillenguss</translation>
+    </message>
+    <message>
+        <source>die casting</source>
+        <translation>Druckguss</translation>
+    </message>
+    <message>
+        <source>sand</source>
+        <translation>Sandguss</translation>
+    </message>
+    <message>
+        <source>pour or injection</source>
+        <translation>Gießen oder Spritzgießen</translation>
+    </message>
+    <message>
+        <source>pour</source>
+        <translation>Gießen</translation>
+    </message>
+    <message>
+        <source>mold makers' shrink charts (mfgabc.com, techni-mold.com)</source>
+        <translation>Schwindungstabellen von Formenbauern (mfgabc.com, techni-mold.com)</translation>
+    </message>
+    <message>
+        <source>mold makers' guides: 1° usual, 0.5° least, 1.5° easy</source>
+        <translation>Leitfäden von Formenbauern: 1° üblich, 0,5° mindestens, 1,5° bequem</translation>
+    </message>
+    <message>
+        <source>makers' data sheets</source>
+        <translation>Datenblätter der Hersteller</translation>
+    </message>
+    <message>
+        <source>ptonline.com, viewmold.com</source>
+        <translation>ptonline.com und viewmold.com</translation>
+    </message>
+    <message>
+        <source>calculatoredge.com chart, foundry texts</source>
+        <translation>Tabelle von calculatoredge.com, Gießereiliteratur</translation>
+    </message>
+    <message>
+        <source>permanent mold practice (dynacast.com, watry.com); die casting 2°</source>
+        <translation>Kokillenpraxis (dynacast.com, watry.com); Druckguss 2°</translation>
+    </message>
+    <message>
+        <source>tables of metals</source>
+        <translation>Metalltabellen</translation>
+    </message>
+    <message>
+        <source>dynacast.com</source>
+        <translation>Angaben von dynacast.com</translation>
+    </message>
+    <message>
+        <source>foundry practice</source>
+        <translation>Gießereipraxis</translation>
+    </message>
+    <message>
+        <source>silicone.pro</source>
+        <translation>Angaben von silicone.pro</translation>
+    </message>
+    <message>
+        <source>none found</source>
+        <translation>keine gefunden</translation>
+    </message>
+    <message>
+        <source>resin makers</source>
+        <translation>Harzhersteller</translation>
+    </message>
+    <message>
+        <source>[Stein 2019]</source>
+        <translation>nach [Stein 2019]</translation>
+    </message>
+    <message>
+        <source>foam makers</source>
+        <translation>Schaumhersteller</translation>
+    </message>
+    <message>
+        <source>plaster tables</source>
+        <translation>Gipstabellen</translation>
+    </message>
+    <message>
+        <source>measurements of beeswax</source>
+        <translation>Messungen an Bienenwachs</translation>
+    </message>
+    <message>
+        <source>tables</source>
+        <translation>Tabellenwerke</translation>
+    </message>
+    <message>
+        <source>concrete tables</source>
+        <translation>Betontabellen</translation>
+    </message>
+    <message>
+        <source>caststone.org</source>
+        <translation>Angaben von caststone.org</translation>
+    </message>
+    <message>
+        <source>a chocolate mold maker: about 1 % by volume</source>
+        <translation>ein Hersteller von Schokoladenformen: etwa 1 % des Volumens</translation>
+    </message>
+    <message>
+        <source>a chocolate mold maker</source>
+        <translation>ein Hersteller von Schokoladenformen</translation>
+    </message>
+    <message>
+        <source>0.4 to 0.9</source>
+        <translation>0,4 bis 0,9</translation>
+    </message>
+    <message>
+        <source>1.0 to 2.5</source>
+        <translation>1,0 bis 2,5</translation>
+    </message>
+    <message>
+        <source>0.025 to 0.038</source>
+        <translation>0,025 bis 0,038</translation>
+    </message>
+    <message>
+        <source>0.013 to 0.030</source>
+        <translation>0,013 bis 0,030</translation>
+    </message>
+    <message>
+        <source>0.008 to 0.013</source>
+        <translation>0,008 bis 0,013</translation>
+    </message>
+    <message>
+        <source>1.25 to 1.8</source>
+        <translation>1,25 bis 1,8</translation>
+    </message>
+    <message>
+        <source>-0.08 to -0.39</source>
+        <translation>−0,08 bis −0,39</translation>
+    </message>
+    <message>
+        <source>It expands: leave it a way to overflow.</source>
+        <translation>Er dehnt sich aus: Lassen Sie ihm einen Weg zum Überlaufen.</translation>
+    </message>
+    <message>
+        <source>It expands while it sets.</source>
+        <translation>Er dehnt sich beim Abbinden aus.</translation>
+    </message>
+    <message>
+        <source>Poured hot.</source>
+        <translation>Wird heiß gegossen.</translation>
+    </message>
+    <message>
+        <source>Three layers of sealing agent on a printed mold.</source>
+        <translation>Drei Schichten Versiegelung auf einer gedruckten Form.</translation>
+    </message>
+    <message>
+        <source>One layer of release agent made for foam.</source>
+        <translation>Eine Schicht Trennmittel für Schaum.</translation>
+    </message>
+    <message>
+        <source>Pour it in and close the mold; what it expands by leaves through the spout.</source>
+        <translation>Eingießen und die Form schließen; was er sich ausdehnt, tritt durch den Anguss aus.</translation>
+    </message>
+    <message>
+        <source>As the maker of the foam says: time and temperature differ from product to product.</source>
+        <translation>Nach Angabe des Herstellers: Zeit und Temperatur sind je Produkt verschieden.</translation>
+    </message>
+    <message>
+        <source>[Stein 2019], section 7</source>
+        <translation>[Stein 2019], Abschnitt 7</translation>
+    </message>
+    <message>
+        <source>Grease the mold with canola oil.</source>
+        <translation>Die Form mit Rapsöl einfetten.</translation>
+    </message>
+    <message>
+        <source>240 ml of grape juice, 4 tablespoons of sugar and 4 of gelatin, heated on low heat for about a minute until all is dissolved and the sugar is not brown; pour it in hot and press it into every corner.</source>
+        <translation>240 ml Traubensaft, 4 Esslöffel Zucker und 4 Gelatine, bei kleiner Hitze etwa eine Minute erwärmt, bis alles gelöst und der Zucker nicht braun ist; heiß eingießen und in jede Ecke drücken.</translation>
+    </message>
+    <message>
+        <source>About 3 hours in the fridge at 4 °C; then let it dry in the air. Sugar on it keeps it from sticking.</source>
+        <translation>Etwa 3 Stunden im Kühlschrank bei 4 °C; dann an der Luft trocknen lassen. Zucker darauf verhindert Kleben.</translation>
+    </message>
+    <message>
+        <source>[Stein 2019], A.2</source>
+        <translation>[Stein 2019], Anhang A.2</translation>
     </message>
 </context>
 <context>
@@ -1598,31 +1982,31 @@
         <source>Cavity {0} cannot be turned by {1}°: its faces would leave with {2}°, {3}° are required. Turned copies need removal directions normal to the plane.</source>
         <translation>Kavität {0} kann nicht um {1}° gedreht werden: Ihre Flächen kämen mit {2}° heraus, verlangt sind {3}°. Gedrehte Kopien brauchen Entformungsrichtungen senkrecht zur Ebene.</translation>
     </message>
-<message>
+    <message>
         <source>Overflow {0} would stand {1} mm from its cavity's parting line. Keep it within {2} mm, or have it placed automatically.</source>
         <translation>Überlauf {0} stünde {1} mm von der Trennlinie seiner Kavität entfernt. Bleiben Sie innerhalb von {2} mm, oder lassen Sie ihn automatisch setzen.</translation>
     </message>
-<message>
+    <message>
         <source>Overflow {0} cannot stand there: its channel would meet another part of the cavity. Move it, or have it placed automatically.</source>
         <translation>Überlauf {0} kann dort nicht stehen: Sein Kanal träfe auf einen anderen Teil der Kavität. Verschieben Sie ihn, oder lassen Sie ihn automatisch setzen.</translation>
     </message>
-<message>
+    <message>
         <source>There is no room for {0} overflows {1} mm wide at each cavity. Ask for fewer or smaller ones, or for more steel between the cavities.</source>
         <translation>An jeder Kavität ist kein Platz für {0} Überläufe von {1} mm Breite. Verlangen Sie weniger oder kleinere, oder mehr Stahl zwischen den Kavitäten.</translation>
     </message>
-<message>
+    <message>
         <source>Overflow {0} would stand where the cavity is filled. Move it, or have it placed automatically.</source>
         <translation>Überlauf {0} stünde dort, wo die Kavität gefüllt wird. Verschieben Sie ihn, oder lassen Sie ihn automatisch setzen.</translation>
     </message>
-<message>
+    <message>
         <source>Overflows need a spout: without one nothing tells where material arrives last.</source>
         <translation>Überläufe brauchen einen Einguss: Ohne ihn ist nicht bestimmt, wo das Material zuletzt ankommt.</translation>
     </message>
-<message>
+    <message>
         <source>The channel of overflow {0} has no room in the wall of its well. Make the channel narrower or the well wider.</source>
         <translation>Der Kanal von Überlauf {0} hat in der Wand seiner Mulde keinen Platz. Machen Sie den Kanal schmaler oder die Mulde breiter.</translation>
     </message>
-<message>
+    <message>
         <source>A mold cannot lean by {0}° while it is filled: 0 to {1}° are possible.</source>
         <translation>Eine Form kann beim Füllen nicht um {0}° geneigt sein: 0 bis {1}° sind möglich.</translation>
     </message>
@@ -1817,6 +2201,10 @@
         <source>automatically</source>
         <translation>automatisch</translation>
     </message>
+    <message>
+        <source>All: %1</source>
+        <translation>Alle: %1</translation>
+    </message>
 </context>
 <context>
     <name>MoldPages</name>
@@ -1975,10 +2363,6 @@
     <message>
         <source>On half 2, in sockets of half 1; one is larger, so that the halves fit one way only.</source>
         <translation>Auf Hälfte 2, in Taschen von Hälfte 1; einer ist größer, damit die Hälften nur auf eine Weise passen.</translation>
-    </message>
-    <message>
-        <source>Their clearance</source>
-        <translation>Ihr Spiel</translation>
     </message>
     <message>
         <source>On all sides and in depth.</source>
@@ -2172,73 +2556,53 @@
         <source>Of a free layout: x and y of each cavity in mm and how far it is turned in degrees; a semicolon between cavities.</source>
         <translation>Bei freier Anordnung: x und y jeder Kavität in mm und ihre Drehung in Grad; zwischen Kavitäten ein Semikolon.</translation>
     </message>
-<message>
+    <message>
         <source>Overflows</source>
         <translation>Überläufe</translation>
     </message>
-<message>
+    <message>
         <source>Closed wells beside each solid of each cavity, for the material that arrives last.</source>
         <translation>Geschlossene Mulden neben jedem Körper jeder Kavität, für das Material, das zuletzt ankommt.</translation>
     </message>
-<message>
-        <source>Their width</source>
-        <translation>Ihre Breite</translation>
-    </message>
-<message>
-        <source>Of the wells in the parting plane.</source>
-        <translation>Der Mulden in der Trennebene.</translation>
-    </message>
-<message>
-        <source>Their channels' width</source>
-        <translation>Breite ihrer Kanäle</translation>
-    </message>
-<message>
+    <message>
         <source>0.3 of the well's at most.</source>
         <translation>Höchstens 0,3 der Muldenbreite.</translation>
     </message>
-<message>
-        <source>Their channels' length</source>
-        <translation>Länge ihrer Kanäle</translation>
-    </message>
-<message>
+    <message>
         <source>From the cavity to the well.</source>
         <translation>Von der Kavität zur Mulde.</translation>
     </message>
-<message>
+    <message>
         <source>Tilted</source>
         <translation>Geneigt</translation>
     </message>
-<message>
+    <message>
         <source>While it is filled: by number, or as the least air stays. What that would save is told when the mold is built.</source>
         <translation>Beim Füllen: nach Zahl, oder so, dass am wenigsten Luft bleibt. Was das sparen würde, wird beim Bauen der Form gesagt.</translation>
     </message>
-<message>
+    <message>
         <source>By number</source>
         <translation>Nach Zahl</translation>
     </message>
-<message>
+    <message>
         <source>Tilt</source>
         <translation>Neigung</translation>
     </message>
-<message>
+    <message>
         <source>How far the mold's top leans while it is filled, where that is by number.</source>
         <translation>Wie weit sich die Oberseite der Form beim Füllen neigt, wenn das nach Zahl geht.</translation>
     </message>
-<message>
+    <message>
         <source>Towards</source>
         <translation>Nach</translation>
     </message>
-<message>
+    <message>
         <source>0 to the right, 90 to half 1, or to the back of a mold that lies flat.</source>
         <translation>0 nach rechts, 90 zu Hälfte 1, oder bei einer liegenden Form nach hinten.</translation>
     </message>
     <message>
         <source>Insert pockets</source>
         <translation>Einlegertaschen</translation>
-    </message>
-    <message>
-        <source>Pockets</source>
-        <translation>Taschen</translation>
     </message>
     <message>
         <source>In the parting face, for nuts, magnets or dowels.</source>
@@ -2360,6 +2724,262 @@
         <source>Equally long</source>
         <translation>Gleich lang</translation>
     </message>
+    <message>
+        <source>Least steel</source>
+        <translation>Mindestwand</translation>
+    </message>
+    <message>
+        <source>Between any two features; what the program places keeps it, and less is told of.</source>
+        <translation>Zwischen je zwei Elementen; was das Programm setzt, hält es ein, und weniger wird gemeldet.</translation>
+    </message>
+    <message>
+        <source>Sizes round up to</source>
+        <translation>Maße aufgerundet auf</translation>
+    </message>
+    <message>
+        <source>Multiples of this; 0: they are as they come out.</source>
+        <translation>Vielfache hiervon; 0: wie sie sich ergeben.</translation>
+    </message>
+    <message>
+        <source>Every second</source>
+        <translation>Jede zweite</translation>
+    </message>
+    <message>
+        <source>Cavity of a row. Turned: about the plane's normal. Turned over: the halves swap. Mirrored: the opposite-handed part. What the directions do not allow is refused.</source>
+        <translation>Kavität einer Reihe. Gedreht: um die Normale der Ebene. Gewendet: die Hälften tauschen. Gespiegelt: das Gegenstück. Was die Richtungen nicht erlauben, wird abgelehnt.</translation>
+    </message>
+    <message>
+        <source>The same</source>
+        <translation>Gleich</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>Turned over</source>
+        <translation>Gewendet</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Of the point of the part that stays where it is.</source>
+        <translation>Des Punkts des Teils, der bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Shrink and density</source>
+        <translation>Schwindung und Dichte</translation>
+    </message>
+    <message>
+        <source>Origin x</source>
+        <translation>Ursprung x</translation>
+    </message>
+    <message>
+        <source>Origin y</source>
+        <translation>Ursprung y</translation>
+    </message>
+    <message>
+        <source>Origin z</source>
+        <translation>Ursprung z</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Of what is cast, for its mass. 0: not known.</source>
+        <translation>Dessen, was gegossen wird, für seine Masse. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>In the cavity while it is filled, for the clamp force.</source>
+        <translation>In der Kavität beim Füllen, für die Schließkraft.</translation>
+    </message>
+    <message>
+        <source>Block's density</source>
+        <translation>Dichte des Blocks</translation>
+    </message>
+    <message>
+        <source>Of what the halves are made of, for their mass. 0: not known.</source>
+        <translation>Dessen, woraus die Hälften sind, für ihre Masse. 0: nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Gate's width</source>
+        <translation>Anschnittbreite</translation>
+    </message>
+    <message>
+        <source>Where a channel in the parting plane meets the cavity.</source>
+        <translation>Wo ein Kanal in der Trennebene auf die Kavität trifft.</translation>
+    </message>
+    <message>
+        <source>Funnel's width</source>
+        <translation>Trichterbreite</translation>
+    </message>
+    <message>
+        <source>At the block's face.</source>
+        <translation>An der Blockfläche.</translation>
+    </message>
+    <message>
+        <source>Channels' draft</source>
+        <translation>Schräge der Kanäle</translation>
+    </message>
+    <message>
+        <source>Of spouts, runners and gates; more where the directions ask for it.</source>
+        <translation>Von Angüssen, Läufern und Anschnitten; mehr, wo die Richtungen es verlangen.</translation>
+    </message>
+    <message>
+        <source>Vents' width</source>
+        <translation>Entlüftungsbreite</translation>
+    </message>
+    <message>
+        <source>At the narrowest.</source>
+        <translation>An der engsten Stelle.</translation>
+    </message>
+    <message>
+        <source>Air that may stay</source>
+        <translation>Luft, die bleiben darf</translation>
+    </message>
+    <message>
+        <source>A place where less than this stays gets no vent.</source>
+        <translation>Eine Stelle, an der weniger bleibt, bekommt keine Entlüftung.</translation>
+    </message>
+    <message>
+        <source>Keys' width</source>
+        <translation>Breite der Passstifte</translation>
+    </message>
+    <message>
+        <source>At the parting plane.</source>
+        <translation>In der Trennebene.</translation>
+    </message>
+    <message>
+        <source>Keys' height</source>
+        <translation>Höhe der Passstifte</translation>
+    </message>
+    <message>
+        <source>Over the parting plane.</source>
+        <translation>Über der Trennebene.</translation>
+    </message>
+    <message>
+        <source>Keys' clearance</source>
+        <translation>Spiel der Passstifte</translation>
+    </message>
+    <message>
+        <source>Keys' draft</source>
+        <translation>Schräge der Passstifte</translation>
+    </message>
+    <message>
+        <source>Against both opening orders; more where the mold's draft is more.</source>
+        <translation>Gegen beide Öffnungsfolgen; mehr, wo die Schräge der Form größer ist.</translation>
+    </message>
+    <message>
+        <source>First is larger by</source>
+        <translation>Erster ist größer um</translation>
+    </message>
+    <message>
+        <source>So that the halves fit one way only.</source>
+        <translation>Damit die Hälften nur auf eine Weise passen.</translation>
+    </message>
+    <message>
+        <source>Slits' depth</source>
+        <translation>Tiefe der Schlitze</translation>
+    </message>
+    <message>
+        <source>Into the block.</source>
+        <translation>In den Block hinein.</translation>
+    </message>
+    <message>
+        <source>Slits' width</source>
+        <translation>Breite der Schlitze</translation>
+    </message>
+    <message>
+        <source>Along the block's face.</source>
+        <translation>Entlang der Blockfläche.</translation>
+    </message>
+    <message>
+        <source>Slits' height</source>
+        <translation>Höhe der Schlitze</translation>
+    </message>
+    <message>
+        <source>In each half.</source>
+        <translation>In jeder Hälfte.</translation>
+    </message>
+    <message>
+        <source>Holes' width</source>
+        <translation>Breite der Löcher</translation>
+    </message>
+    <message>
+        <source>An M6 bolt passes freely through 6.6 mm.</source>
+        <translation>Eine M6-Schraube geht frei durch 6,6 mm.</translation>
+    </message>
+    <message>
+        <source>Steel outside</source>
+        <translation>Wand nach außen</translation>
+    </message>
+    <message>
+        <source>To the block's faces.</source>
+        <translation>Zu den Blockflächen.</translation>
+    </message>
+    <message>
+        <source>Steel inside</source>
+        <translation>Wand nach innen</translation>
+    </message>
+    <message>
+        <source>To all that stands in the parting plane.</source>
+        <translation>Zu allem, was in der Trennebene steht.</translation>
+    </message>
+    <message>
+        <source>Pins' width</source>
+        <translation>Breite der Stifte</translation>
+    </message>
+    <message>
+        <source>Of the ejector pins.</source>
+        <translation>Der Auswerferstifte.</translation>
+    </message>
+    <message>
+        <source>Pins in</source>
+        <translation>Stifte in</translation>
+    </message>
+    <message>
+        <source>The half that they pass through.</source>
+        <translation>Die Hälfte, durch die sie gehen.</translation>
+    </message>
+    <message>
+        <source>Wells' width</source>
+        <translation>Breite der Mulden</translation>
+    </message>
+    <message>
+        <source>Of overflows in the parting plane.</source>
+        <translation>Der Überläufe in der Trennebene.</translation>
+    </message>
+    <message>
+        <source>Channels' width</source>
+        <translation>Breite der Kanäle</translation>
+    </message>
+    <message>
+        <source>Channels' length</source>
+        <translation>Länge der Kanäle</translation>
+    </message>
+    <message>
+        <source>Spouts, runners, gates</source>
+        <translation>Angüsse, Läufer, Anschnitte</translation>
+    </message>
+    <message>
+        <source>Up while filled</source>
+        <translation>Oben beim Füllen</translation>
+    </message>
+    <message>
+        <source>As a turn of the cast about the plane's normal; automatic: of four the one that keeps the least air.</source>
+        <translation>Als Drehung des Abgusses um die Normale der Ebene; automatisch: von vieren die, bei der am wenigsten Luft bleibt.</translation>
+    </message>
+    <message>
+        <source>Tilt while filled</source>
+        <translation>Neigung beim Füllen</translation>
+    </message>
 </context>
 <context>
     <name>MoldPlacing</name>
@@ -2451,15 +3071,15 @@
         <source>%1 mm of steel to %2</source>
         <translation>%1 mm Stahl bis %2</translation>
     </message>
-<message>
+    <message>
         <source>overflow %1</source>
         <translation>Überlauf %1</translation>
     </message>
-<message>
+    <message>
         <source>the channel of overflow %1</source>
         <translation>dem Kanal von Überlauf %1</translation>
     </message>
-<message>
+    <message>
         <source>Overflow %1</source>
         <translation>Überlauf %1</translation>
     </message>
@@ -6371,6 +6991,18 @@ Offene Punkte: %1.</translation>
         <source>The report {0} could not be written. Choose another folder or free some space.</source>
         <translation>Der Bericht {0} konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
     </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>nicht gewählt</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>Kavitäten</translation>
+    </message>
 </context>
 <context>
     <name>SteelPaint</name>
@@ -6671,6 +7303,187 @@ Offene Punkte: %1.</translation>
     <message>
         <source>The steel between the features of the mold, once it is built or they are placed.</source>
         <translation>Der Stahl zwischen den Merkmalen der Form, sobald sie gebaut ist oder diese platziert sind.</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialPages</name>
+    <message>
+        <source>Not chosen</source>
+        <translation>Nicht gewählt</translation>
+    </message>
+    <message>
+        <source>%1, as in this project</source>
+        <translation>%1, wie in diesem Projekt</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Sets shrink, its formula, density and the depth of vents; all can be changed below.</source>
+        <translation>Setzt Schwindung, ihre Formel, Dichte und die Tiefe der Entlüftungen; alles lässt sich unten ändern.</translation>
+    </message>
+    <message>
+        <source>Draft here</source>
+        <translation>Schräge hier</translation>
+    </message>
+    <message>
+        <source>And what is usual for the material.</source>
+        <translation>Und was für das Material üblich ist.</translation>
+    </message>
+    <message>
+        <source>Choose a material first.</source>
+        <translation>Wählen Sie zuerst ein Material.</translation>
+    </message>
+    <message>
+        <source>Take the material's draft</source>
+        <translation>Schräge des Materials übernehmen</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::MaterialForm</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;Process</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>%1, range</source>
+        <translation>%1, Bereich</translation>
+    </message>
+    <message>
+        <source>%1, source</source>
+        <translation>%1, Quelle</translation>
+    </message>
+    <message>
+        <source>%1, status</source>
+        <translation>%1, Verlässlichkeit</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Verlässlichkeit</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>Schwindung</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Schräge</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Vents' depth</source>
+        <translation>Entlüftungstiefe</translation>
+    </message>
+    <message>
+        <source>In the parting plane, both halves together; 0: as their width asks.</source>
+        <translation>In der Trennebene, beide Hälften zusammen; 0: wie ihre Breite es verlangt.</translation>
+    </message>
+    <message>
+        <source>Made larger by</source>
+        <translation>Vergrößert um</translation>
+    </message>
+    <message>
+        <source>Made &amp;larger by</source>
+        <translation>Ver&amp;größert um</translation>
+    </message>
+    <message>
+        <source>N&amp;otes</source>
+        <translation>A&amp;nmerkungen</translation>
+    </message>
+    <message>
+        <source>S&amp;ealing</source>
+        <translation>V&amp;ersiegelung</translation>
+    </message>
+    <message>
+        <source>&amp;Release agent</source>
+        <translation>&amp;Trennmittel</translation>
+    </message>
+    <message>
+        <source>&amp;Filling</source>
+        <translation>&amp;Füllen</translation>
+    </message>
+    <message>
+        <source>Se&amp;tting</source>
+        <translation>Er&amp;härten</translation>
+    </message>
+    <message>
+        <source>Source of these</source>
+        <translation>Quelle hierzu</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::MaterialDialog</name>
+    <message>
+        <source>Materials</source>
+        <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>A material of your own, with the values of the one that is chosen.</source>
+        <translation>Ein eigenes Material mit den Werten des gewählten.</translation>
+    </message>
+    <message>
+        <source>Yours. A project keeps the values it was given; choose the material there anew to have these.</source>
+        <translation>Ihr eigenes. Ein Projekt behält die Werte, die es bekam; wählen Sie das Material dort neu, um diese zu haben.</translation>
+    </message>
+    <message>
+        <source>Comes with the program. What you change is kept as your own.</source>
+        <translation>Kommt mit dem Programm. Was Sie ändern, wird als Ihr eigenes behalten.</translation>
+    </message>
+    <message>
+        <source>As &amp;before</source>
+        <translation>Wie &amp;vorher</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the values again that come with the program.</source>
+        <translation>Wieder die Werte nehmen, die mit dem Programm kommen.</translation>
+    </message>
+    <message>
+        <source>Forget this material of yours.</source>
+        <translation>Dieses eigene Material vergessen.</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1, eigenes</translation>
     </message>
 </context>
 </TS>

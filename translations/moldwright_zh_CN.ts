@@ -1063,6 +1063,22 @@
         <source>Mend what is wrong with the mesh, or make a closed skin about it, and open that. The file stays as it is.</source>
         <translation>修补网格的问题，或在其外做一层封闭外壳，然后打开。文件保持不变。</translation>
     </message>
+    <message>
+        <source>&amp;Materials…</source>
+        <translation>材料(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Look at what materials ask for, change them, add your own.</source>
+        <translation>查看各材料的要求,修改它们,添加自己的材料。</translation>
+    </message>
+    <message>
+        <source>&amp;Design with its draft</source>
+        <translation>按其斜度设计(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Ask for the draft that is usual for the chosen material; the cast is to be designed anew.</source>
+        <translation>要求所选材料的常用斜度;铸件需重新设计。</translation>
+    </message>
 </context>
 <context>
     <name>DisplayMode</name>
@@ -1414,16 +1430,384 @@
 <context>
     <name>Materials</name>
     <message>
-        <source>{0}: the numbers of the material {1} cannot be right.</source>
-        <translation>{0}：材料 {1} 的数值不可能正确。</translation>
-    </message>
-    <message>
         <source>{0} is not a table of materials: {1}.</source>
         <translation>{0} 不是材料表：{1}。</translation>
     </message>
     <message>
         <source>There is no material {0}. Known are: {1}.</source>
         <translation>没有材料 {0}。已知的有：{1}。</translation>
+    </message>
+    <message>
+        <source>{0}: the material {1} cannot be right. {2}</source>
+        <translation>{0}:材料 {1} 不可能正确。{2}</translation>
+    </message>
+    <message>
+        <source>A material needs a name.</source>
+        <translation>材料需要名称。</translation>
+    </message>
+    <message>
+        <source>Shrink must be between −50 and 50 %.</source>
+        <translation>收缩率必须在 −50 % 与 50 % 之间。</translation>
+    </message>
+    <message>
+        <source>Draft must be from 0 to less than 45°.</source>
+        <translation>斜度必须从 0 到小于 45°。</translation>
+    </message>
+    <message>
+        <source>Density must be between 0 and 30 g/cm³.</source>
+        <translation>密度必须在 0 与 30 g/cm³ 之间。</translation>
+    </message>
+    <message>
+        <source>Vents must be more than 0 and at most 5 mm deep.</source>
+        <translation>排气槽深度必须大于 0 且不超过 5 mm。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read.</source>
+        <translation>无法读取 {0}。</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed: {1}.</source>
+        <translation>无法删除 {0}:{1}。</translation>
+    </message>
+    <message>
+        <source>A material cannot be kept as “{0}”: up to 60 lower-case letters, digits and hyphens can name one.</source>
+        <translation>材料不能以“{0}”保存:名称最多 60 个小写字母、数字和连字符。</translation>
+    </message>
+    <message>
+        <source>None of your own materials is {0}.</source>
+        <translation>您自己的材料中没有 {0}。</translation>
+    </message>
+    <message>
+        <source>Sealing the mold: {0}</source>
+        <translation>封闭模具:{0}</translation>
+    </message>
+    <message>
+        <source>Release agent: {0}</source>
+        <translation>脱模剂:{0}</translation>
+    </message>
+    <message>
+        <source>Filling: {0}</source>
+        <translation>填充:{0}</translation>
+    </message>
+    <message>
+        <source>Setting: {0}</source>
+        <translation>固化:{0}</translation>
+    </message>
+    <message>
+        <source>Preparation by {0}.</source>
+        <translation>准备方法依据 {0}。</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>收缩率</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>Depth of vents in the parting plane</source>
+        <translation>分型面内排气槽深度</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is set otherwise here; usual is {2} ({3}).</source>
+        <translation>{0}:{1}在此另有设定;常用为 {2}({3})。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} {2} ({3}).</source>
+        <translation>{0}:{1} {2}({3})。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} {2} ({3}; {4}).</source>
+        <translation>{0}:{1} {2}({3};{4})。</translation>
+    </message>
+    <message>
+        <source>The cast was designed with {0}° of draft; {1} usually asks for {2}° ({3}).</source>
+        <translation>铸件按 {0}° 斜度设计;{1} 通常要求 {2}°({3})。</translation>
+    </message>
+    <message>
+        <source>sourced</source>
+        <translation>有来源</translation>
+    </message>
+    <message>
+        <source>no source</source>
+        <translation>无来源</translation>
+    </message>
+    <message>
+        <source>make a coupon</source>
+        <translation>需浇铸试样</translation>
+    </message>
+    <message>
+        <source>ask the data sheet</source>
+        <translation>查阅数据表</translation>
+    </message>
+    <message>
+        <source>sources disagree</source>
+        <translation>来源不一致</translation>
+    </message>
+    <message>
+        <source>ABS</source>
+        <translation>ABS 塑料</translation>
+    </message>
+    <message>
+        <source>Polypropylene</source>
+        <translation>聚丙烯</translation>
+    </message>
+    <message>
+        <source>HDPE</source>
+        <translation>高密度聚乙烯</translation>
+    </message>
+    <message>
+        <source>PA 66</source>
+        <translation>尼龙 66</translation>
+    </message>
+    <message>
+        <source>POM</source>
+        <translation>聚甲醛</translation>
+    </message>
+    <message>
+        <source>Polycarbonate</source>
+        <translation>聚碳酸酯</translation>
+    </message>
+    <message>
+        <source>PMMA</source>
+        <translation>有机玻璃</translation>
+    </message>
+    <message>
+        <source>Polystyrene</source>
+        <translation>聚苯乙烯</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>铝</translation>
+    </message>
+    <message>
+        <source>Zinc alloy</source>
+        <translation>锌合金</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>青铜</translation>
+    </message>
+    <message>
+        <source>Grey iron</source>
+        <translation>灰铸铁</translation>
+    </message>
+    <message>
+        <source>Silicone (LSR)</source>
+        <translation>硅胶 (LSR)</translation>
+    </message>
+    <message>
+        <source>Polyurethane resin</source>
+        <translation>聚氨酯树脂</translation>
+    </message>
+    <message>
+        <source>Polyurethane foam</source>
+        <translation>聚氨酯泡沫</translation>
+    </message>
+    <message>
+        <source>Plaster</source>
+        <translation>石膏</translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation>蜡</translation>
+    </message>
+    <message>
+        <source>Concrete</source>
+        <translation>混凝土</translation>
+    </message>
+    <message>
+        <source>Chocolate</source>
+        <translation>巧克力</translation>
+    </message>
+    <message>
+        <source>Gummy candy</source>
+        <translation>软糖</translation>
+    </message>
+    <message>
+        <source>injection</source>
+        <translation>注塑</translation>
+    </message>
+    <message>
+        <source>gravity, permanent mold</source>
+        <translation>重力铸造,永久模</translation>
+    </message>
+    <message>
+        <source>die casting</source>
+        <translation>压铸</translation>
+    </message>
+    <message>
+        <source>sand</source>
+        <translation>砂型铸造</translation>
+    </message>
+    <message>
+        <source>pour or injection</source>
+        <translation>浇注或注射</translation>
+    </message>
+    <message>
+        <source>pour</source>
+        <translation>浇注</translation>
+    </message>
+    <message>
+        <source>mold makers' shrink charts (mfgabc.com, techni-mold.com)</source>
+        <translation>模具厂收缩率表 (mfgabc.com, techni-mold.com)</translation>
+    </message>
+    <message>
+        <source>mold makers' guides: 1° usual, 0.5° least, 1.5° easy</source>
+        <translation>模具厂指南:通常 1°,最小 0.5°,宽松 1.5°</translation>
+    </message>
+    <message>
+        <source>makers' data sheets</source>
+        <translation>厂商数据表</translation>
+    </message>
+    <message>
+        <source>ptonline.com, viewmold.com</source>
+        <translation>ptonline.com 与 viewmold.com</translation>
+    </message>
+    <message>
+        <source>calculatoredge.com chart, foundry texts</source>
+        <translation>calculatoredge.com 表格,铸造书籍</translation>
+    </message>
+    <message>
+        <source>permanent mold practice (dynacast.com, watry.com); die casting 2°</source>
+        <translation>永久模经验 (dynacast.com, watry.com);压铸 2°</translation>
+    </message>
+    <message>
+        <source>tables of metals</source>
+        <translation>金属表</translation>
+    </message>
+    <message>
+        <source>dynacast.com</source>
+        <translation>dynacast.com 资料</translation>
+    </message>
+    <message>
+        <source>foundry practice</source>
+        <translation>铸造经验</translation>
+    </message>
+    <message>
+        <source>silicone.pro</source>
+        <translation>silicone.pro 资料</translation>
+    </message>
+    <message>
+        <source>none found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>resin makers</source>
+        <translation>树脂厂商</translation>
+    </message>
+    <message>
+        <source>[Stein 2019]</source>
+        <translation>依据 [Stein 2019]</translation>
+    </message>
+    <message>
+        <source>foam makers</source>
+        <translation>泡沫厂商</translation>
+    </message>
+    <message>
+        <source>plaster tables</source>
+        <translation>石膏表</translation>
+    </message>
+    <message>
+        <source>measurements of beeswax</source>
+        <translation>蜂蜡测量</translation>
+    </message>
+    <message>
+        <source>tables</source>
+        <translation>手册</translation>
+    </message>
+    <message>
+        <source>concrete tables</source>
+        <translation>混凝土表</translation>
+    </message>
+    <message>
+        <source>caststone.org</source>
+        <translation>caststone.org 资料</translation>
+    </message>
+    <message>
+        <source>a chocolate mold maker: about 1 % by volume</source>
+        <translation>一家巧克力模具厂:约 1 % 体积</translation>
+    </message>
+    <message>
+        <source>a chocolate mold maker</source>
+        <translation>一家巧克力模具厂</translation>
+    </message>
+    <message>
+        <source>0.4 to 0.9</source>
+        <translation>0.4 至 0.9</translation>
+    </message>
+    <message>
+        <source>1.0 to 2.5</source>
+        <translation>1.0 至 2.5</translation>
+    </message>
+    <message>
+        <source>0.025 to 0.038</source>
+        <translation>0.025 至 0.038</translation>
+    </message>
+    <message>
+        <source>0.013 to 0.030</source>
+        <translation>0.013 至 0.030</translation>
+    </message>
+    <message>
+        <source>0.008 to 0.013</source>
+        <translation>0.008 至 0.013</translation>
+    </message>
+    <message>
+        <source>1.25 to 1.8</source>
+        <translation>1.25 至 1.8</translation>
+    </message>
+    <message>
+        <source>-0.08 to -0.39</source>
+        <translation>−0.08 至 −0.39</translation>
+    </message>
+    <message>
+        <source>It expands: leave it a way to overflow.</source>
+        <translation>它会膨胀:请留出溢流通道。</translation>
+    </message>
+    <message>
+        <source>It expands while it sets.</source>
+        <translation>凝固时会膨胀。</translation>
+    </message>
+    <message>
+        <source>Poured hot.</source>
+        <translation>趁热浇注。</translation>
+    </message>
+    <message>
+        <source>Three layers of sealing agent on a printed mold.</source>
+        <translation>打印模具上涂三层封闭剂。</translation>
+    </message>
+    <message>
+        <source>One layer of release agent made for foam.</source>
+        <translation>一层泡沫专用脱模剂。</translation>
+    </message>
+    <message>
+        <source>Pour it in and close the mold; what it expands by leaves through the spout.</source>
+        <translation>倒入后合模;膨胀部分从浇口溢出。</translation>
+    </message>
+    <message>
+        <source>As the maker of the foam says: time and temperature differ from product to product.</source>
+        <translation>按泡沫厂商说明:时间和温度因产品而异。</translation>
+    </message>
+    <message>
+        <source>[Stein 2019], section 7</source>
+        <translation>[Stein 2019] 第 7 节</translation>
+    </message>
+    <message>
+        <source>Grease the mold with canola oil.</source>
+        <translation>用菜籽油涂抹模具。</translation>
+    </message>
+    <message>
+        <source>240 ml of grape juice, 4 tablespoons of sugar and 4 of gelatin, heated on low heat for about a minute until all is dissolved and the sugar is not brown; pour it in hot and press it into every corner.</source>
+        <translation>240 ml 葡萄汁、4 汤匙糖和 4 汤匙明胶,小火加热约一分钟至全部溶解且糖不变褐;趁热倒入并压入每个角落。</translation>
+    </message>
+    <message>
+        <source>About 3 hours in the fridge at 4 °C; then let it dry in the air. Sugar on it keeps it from sticking.</source>
+        <translation>冰箱 4 °C 约 3 小时;然后晾干。撒糖可防粘。</translation>
+    </message>
+    <message>
+        <source>[Stein 2019], A.2</source>
+        <translation>[Stein 2019] 附录 A.2</translation>
     </message>
 </context>
 <context>
@@ -1598,31 +1982,31 @@
         <source>Cavity {0} cannot be turned by {1}°: its faces would leave with {2}°, {3}° are required. Turned copies need removal directions normal to the plane.</source>
         <translation>型腔 {0} 不能旋转 {1}°：其表面将只有 {2}° 的拔模角，要求 {3}°。旋转的副本需要垂直于分型面的脱模方向。</translation>
     </message>
-<message>
+    <message>
         <source>Overflow {0} would stand {1} mm from its cavity's parting line. Keep it within {2} mm, or have it placed automatically.</source>
         <translation>溢料槽 {0} 距其型腔分型线 {1} mm。请保持在 {2} mm 以内，或让程序自动放置。</translation>
     </message>
-<message>
+    <message>
         <source>Overflow {0} cannot stand there: its channel would meet another part of the cavity. Move it, or have it placed automatically.</source>
         <translation>溢料槽 {0} 不能放在那里：其通道会碰到型腔的另一部分。请移动它，或让程序自动放置。</translation>
     </message>
-<message>
+    <message>
         <source>There is no room for {0} overflows {1} mm wide at each cavity. Ask for fewer or smaller ones, or for more steel between the cavities.</source>
         <translation>每个型腔旁没有空间放置 {0} 个宽 {1} mm 的溢料槽。请减少数量或尺寸，或增大型腔间的壁厚。</translation>
     </message>
-<message>
+    <message>
         <source>Overflow {0} would stand where the cavity is filled. Move it, or have it placed automatically.</source>
         <translation>溢料槽 {0} 位于型腔的进料处。请移动它，或让程序自动放置。</translation>
     </message>
-<message>
+    <message>
         <source>Overflows need a spout: without one nothing tells where material arrives last.</source>
         <translation>溢料槽需要浇道：没有浇道就无法知道材料最后到达哪里。</translation>
     </message>
-<message>
+    <message>
         <source>The channel of overflow {0} has no room in the wall of its well. Make the channel narrower or the well wider.</source>
         <translation>溢料槽 {0} 的通道在槽壁上没有空间。请减小通道宽度或增大槽的宽度。</translation>
     </message>
-<message>
+    <message>
         <source>A mold cannot lean by {0}° while it is filled: 0 to {1}° are possible.</source>
         <translation>浇注时模具不能倾斜 {0}°：可以为 0 到 {1}°。</translation>
     </message>
@@ -1817,6 +2201,10 @@
         <source>automatically</source>
         <translation>自动</translation>
     </message>
+    <message>
+        <source>All: %1</source>
+        <translation>全部:%1</translation>
+    </message>
 </context>
 <context>
     <name>MoldPages</name>
@@ -1975,10 +2363,6 @@
     <message>
         <source>On half 2, in sockets of half 1; one is larger, so that the halves fit one way only.</source>
         <translation>位于半模 2，嵌入半模 1 的凹槽；其中一个较大，使两半只能以一种方式配合。</translation>
-    </message>
-    <message>
-        <source>Their clearance</source>
-        <translation>其间隙</translation>
     </message>
     <message>
         <source>On all sides and in depth.</source>
@@ -2172,73 +2556,53 @@
         <source>Of a free layout: x and y of each cavity in mm and how far it is turned in degrees; a semicolon between cavities.</source>
         <translation>自由排列：每个型腔的 x 和 y（mm）及旋转角度（度）；型腔之间用分号。</translation>
     </message>
-<message>
+    <message>
         <source>Overflows</source>
         <translation>溢料槽</translation>
     </message>
-<message>
+    <message>
         <source>Closed wells beside each solid of each cavity, for the material that arrives last.</source>
         <translation>每个型腔的每个实体旁的封闭槽，用来容纳最后到达的材料。</translation>
     </message>
-<message>
-        <source>Their width</source>
-        <translation>其宽度</translation>
-    </message>
-<message>
-        <source>Of the wells in the parting plane.</source>
-        <translation>槽在分型面内的宽度。</translation>
-    </message>
-<message>
-        <source>Their channels' width</source>
-        <translation>其通道宽度</translation>
-    </message>
-<message>
+    <message>
         <source>0.3 of the well's at most.</source>
         <translation>最多为槽宽的 0.3 倍。</translation>
     </message>
-<message>
-        <source>Their channels' length</source>
-        <translation>其通道长度</translation>
-    </message>
-<message>
+    <message>
         <source>From the cavity to the well.</source>
         <translation>从型腔到槽。</translation>
     </message>
-<message>
+    <message>
         <source>Tilted</source>
         <translation>倾斜</translation>
     </message>
-<message>
+    <message>
         <source>While it is filled: by number, or as the least air stays. What that would save is told when the mold is built.</source>
         <translation>浇注时：按数值，或使残留空气最少。构建模具时会告知可减少多少。</translation>
     </message>
-<message>
+    <message>
         <source>By number</source>
         <translation>按数值</translation>
     </message>
-<message>
+    <message>
         <source>Tilt</source>
         <translation>倾角</translation>
     </message>
-<message>
+    <message>
         <source>How far the mold's top leans while it is filled, where that is by number.</source>
         <translation>按数值时，浇注时模具顶部倾斜的角度。</translation>
     </message>
-<message>
+    <message>
         <source>Towards</source>
         <translation>朝向</translation>
     </message>
-<message>
+    <message>
         <source>0 to the right, 90 to half 1, or to the back of a mold that lies flat.</source>
         <translation>0 朝右，90 朝半模 1；平放的模具则朝后。</translation>
     </message>
     <message>
         <source>Insert pockets</source>
         <translation>嵌件槽</translation>
-    </message>
-    <message>
-        <source>Pockets</source>
-        <translation>槽数</translation>
     </message>
     <message>
         <source>In the parting face, for nuts, magnets or dowels.</source>
@@ -2360,6 +2724,262 @@
         <source>Equally long</source>
         <translation>等长</translation>
     </message>
+    <message>
+        <source>Least steel</source>
+        <translation>最小钢厚</translation>
+    </message>
+    <message>
+        <source>Between any two features; what the program places keeps it, and less is told of.</source>
+        <translation>任意两个特征之间;程序放置时遵守,不足时提示。</translation>
+    </message>
+    <message>
+        <source>Sizes round up to</source>
+        <translation>尺寸向上取整到</translation>
+    </message>
+    <message>
+        <source>Multiples of this; 0: they are as they come out.</source>
+        <translation>此值的倍数;0:不取整。</translation>
+    </message>
+    <message>
+        <source>Every second</source>
+        <translation>每隔一个</translation>
+    </message>
+    <message>
+        <source>Cavity of a row. Turned: about the plane's normal. Turned over: the halves swap. Mirrored: the opposite-handed part. What the directions do not allow is refused.</source>
+        <translation>一行中的型腔。旋转:绕平面法线。翻转:两半互换。镜像:相反手性的零件。方向不允许的会被拒绝。</translation>
+    </message>
+    <message>
+        <source>The same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Turned over</source>
+        <translation>翻转</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>Of the point of the part that stays where it is.</source>
+        <translation>零件上保持不动的点。</translation>
+    </message>
+    <message>
+        <source>Shrink and density</source>
+        <translation>收缩率与密度</translation>
+    </message>
+    <message>
+        <source>Origin x</source>
+        <translation>原点 x</translation>
+    </message>
+    <message>
+        <source>Origin y</source>
+        <translation>原点 y</translation>
+    </message>
+    <message>
+        <source>Origin z</source>
+        <translation>原点 z</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>Of what is cast, for its mass. 0: not known.</source>
+        <translation>浇铸物的密度,用于计算质量。0:未知。</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>压力</translation>
+    </message>
+    <message>
+        <source>In the cavity while it is filled, for the clamp force.</source>
+        <translation>填充时型腔内压力,用于锁模力。</translation>
+    </message>
+    <message>
+        <source>Block's density</source>
+        <translation>模块密度</translation>
+    </message>
+    <message>
+        <source>Of what the halves are made of, for their mass. 0: not known.</source>
+        <translation>两半所用材料的密度,用于计算质量。0:未知。</translation>
+    </message>
+    <message>
+        <source>Gate's width</source>
+        <translation>内浇口宽度</translation>
+    </message>
+    <message>
+        <source>Where a channel in the parting plane meets the cavity.</source>
+        <translation>分型面内流道与型腔相接处。</translation>
+    </message>
+    <message>
+        <source>Funnel's width</source>
+        <translation>漏斗宽度</translation>
+    </message>
+    <message>
+        <source>At the block's face.</source>
+        <translation>在模块表面处。</translation>
+    </message>
+    <message>
+        <source>Channels' draft</source>
+        <translation>流道斜度</translation>
+    </message>
+    <message>
+        <source>Of spouts, runners and gates; more where the directions ask for it.</source>
+        <translation>浇口、流道和内浇口;方向要求时更大。</translation>
+    </message>
+    <message>
+        <source>Vents' width</source>
+        <translation>排气槽宽度</translation>
+    </message>
+    <message>
+        <source>At the narrowest.</source>
+        <translation>最窄处。</translation>
+    </message>
+    <message>
+        <source>Air that may stay</source>
+        <translation>允许残留的空气</translation>
+    </message>
+    <message>
+        <source>A place where less than this stays gets no vent.</source>
+        <translation>残留少于此值处不设排气。</translation>
+    </message>
+    <message>
+        <source>Keys' width</source>
+        <translation>定位键宽度</translation>
+    </message>
+    <message>
+        <source>At the parting plane.</source>
+        <translation>在分型面处。</translation>
+    </message>
+    <message>
+        <source>Keys' height</source>
+        <translation>定位键高度</translation>
+    </message>
+    <message>
+        <source>Over the parting plane.</source>
+        <translation>高出分型面。</translation>
+    </message>
+    <message>
+        <source>Keys' clearance</source>
+        <translation>定位键间隙</translation>
+    </message>
+    <message>
+        <source>Keys' draft</source>
+        <translation>定位键斜度</translation>
+    </message>
+    <message>
+        <source>Against both opening orders; more where the mold's draft is more.</source>
+        <translation>针对两种开模顺序;模具斜度更大时取更大。</translation>
+    </message>
+    <message>
+        <source>First is larger by</source>
+        <translation>第一个大</translation>
+    </message>
+    <message>
+        <source>So that the halves fit one way only.</source>
+        <translation>使两半只能以一种方式合模。</translation>
+    </message>
+    <message>
+        <source>Slits' depth</source>
+        <translation>楔槽深度</translation>
+    </message>
+    <message>
+        <source>Into the block.</source>
+        <translation>深入模块。</translation>
+    </message>
+    <message>
+        <source>Slits' width</source>
+        <translation>楔槽宽度</translation>
+    </message>
+    <message>
+        <source>Along the block's face.</source>
+        <translation>沿模块表面。</translation>
+    </message>
+    <message>
+        <source>Slits' height</source>
+        <translation>楔槽高度</translation>
+    </message>
+    <message>
+        <source>In each half.</source>
+        <translation>每一半中。</translation>
+    </message>
+    <message>
+        <source>Holes' width</source>
+        <translation>孔径</translation>
+    </message>
+    <message>
+        <source>An M6 bolt passes freely through 6.6 mm.</source>
+        <translation>M6 螺栓可自由穿过 6.6 mm。</translation>
+    </message>
+    <message>
+        <source>Steel outside</source>
+        <translation>外侧钢厚</translation>
+    </message>
+    <message>
+        <source>To the block's faces.</source>
+        <translation>到模块表面。</translation>
+    </message>
+    <message>
+        <source>Steel inside</source>
+        <translation>内侧钢厚</translation>
+    </message>
+    <message>
+        <source>To all that stands in the parting plane.</source>
+        <translation>到分型面内的一切特征。</translation>
+    </message>
+    <message>
+        <source>Pins' width</source>
+        <translation>顶针直径</translation>
+    </message>
+    <message>
+        <source>Of the ejector pins.</source>
+        <translation>顶针的直径。</translation>
+    </message>
+    <message>
+        <source>Pins in</source>
+        <translation>顶针位于</translation>
+    </message>
+    <message>
+        <source>The half that they pass through.</source>
+        <translation>其穿过的一半。</translation>
+    </message>
+    <message>
+        <source>Wells' width</source>
+        <translation>溢流井宽度</translation>
+    </message>
+    <message>
+        <source>Of overflows in the parting plane.</source>
+        <translation>分型面内的溢流井。</translation>
+    </message>
+    <message>
+        <source>Channels' width</source>
+        <translation>通道宽度</translation>
+    </message>
+    <message>
+        <source>Channels' length</source>
+        <translation>通道长度</translation>
+    </message>
+    <message>
+        <source>Spouts, runners, gates</source>
+        <translation>浇口、流道、内浇口</translation>
+    </message>
+    <message>
+        <source>Up while filled</source>
+        <translation>填充时朝上</translation>
+    </message>
+    <message>
+        <source>As a turn of the cast about the plane's normal; automatic: of four the one that keeps the least air.</source>
+        <translation>铸件绕平面法线的转角;自动:四种中残留空气最少者。</translation>
+    </message>
+    <message>
+        <source>Tilt while filled</source>
+        <translation>填充时倾斜</translation>
+    </message>
 </context>
 <context>
     <name>MoldPlacing</name>
@@ -2451,15 +3071,15 @@
         <source>%1 mm of steel to %2</source>
         <translation>到%2的钢材 %1 mm</translation>
     </message>
-<message>
+    <message>
         <source>overflow %1</source>
         <translation>溢料槽 %1</translation>
     </message>
-<message>
+    <message>
         <source>the channel of overflow %1</source>
         <translation>溢料槽 %1 的通道</translation>
     </message>
-<message>
+    <message>
         <source>Overflow %1</source>
         <translation>溢料槽 %1</translation>
     </message>
@@ -6371,6 +6991,18 @@ Open items: %1.</source>
         <source>The report {0} could not be written. Choose another folder or free some space.</source>
         <translation>无法写出报告 {0}。请选择其他文件夹或腾出空间。</translation>
     </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>not chosen</source>
+        <translation>未选择</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>型腔</translation>
+    </message>
 </context>
 <context>
     <name>SteelPaint</name>
@@ -6671,6 +7303,187 @@ Open items: %1.</source>
     <message>
         <source>The steel between the features of the mold, once it is built or they are placed.</source>
         <translation>模具建成或特征放置后，此处列出特征之间的钢料厚度。</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialPages</name>
+    <message>
+        <source>Not chosen</source>
+        <translation>未选择</translation>
+    </message>
+    <message>
+        <source>%1, as in this project</source>
+        <translation>%1(与此项目中相同)</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Sets shrink, its formula, density and the depth of vents; all can be changed below.</source>
+        <translation>设定收缩率、其公式、密度和排气槽深度;均可在下方更改。</translation>
+    </message>
+    <message>
+        <source>Draft here</source>
+        <translation>此处的斜度</translation>
+    </message>
+    <message>
+        <source>And what is usual for the material.</source>
+        <translation>以及该材料的常用值。</translation>
+    </message>
+    <message>
+        <source>Choose a material first.</source>
+        <translation>请先选择材料。</translation>
+    </message>
+    <message>
+        <source>Take the material's draft</source>
+        <translation>采用材料的斜度</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::MaterialForm</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>工艺</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Process</source>
+        <translation>工艺(&amp;P)</translation>
+    </message>
+    <message>
+        <source>%1, range</source>
+        <translation>%1,范围</translation>
+    </message>
+    <message>
+        <source>%1, source</source>
+        <translation>%1,来源</translation>
+    </message>
+    <message>
+        <source>%1, status</source>
+        <translation>%1,可靠性</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>可靠性</translation>
+    </message>
+    <message>
+        <source>Shrink</source>
+        <translation>收缩率</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>斜度</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>密度</translation>
+    </message>
+    <message>
+        <source>Vents' depth</source>
+        <translation>排气槽深度</translation>
+    </message>
+    <message>
+        <source>In the parting plane, both halves together; 0: as their width asks.</source>
+        <translation>分型面内,两半合计;0:按其宽度确定。</translation>
+    </message>
+    <message>
+        <source>Made larger by</source>
+        <translation>放大方式</translation>
+    </message>
+    <message>
+        <source>Made &amp;larger by</source>
+        <translation>放大方式(&amp;L)</translation>
+    </message>
+    <message>
+        <source>N&amp;otes</source>
+        <translation>备注(&amp;O)</translation>
+    </message>
+    <message>
+        <source>S&amp;ealing</source>
+        <translation>封闭(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Release agent</source>
+        <translation>脱模剂(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Filling</source>
+        <translation>填充(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Se&amp;tting</source>
+        <translation>固化(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Source of these</source>
+        <translation>以上来源</translation>
+    </message>
+</context>
+<context>
+    <name>moldwright::MaterialDialog</name>
+    <message>
+        <source>Materials</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>新建(&amp;N)</translation>
+    </message>
+    <message>
+        <source>A material of your own, with the values of the one that is chosen.</source>
+        <translation>以所选材料的数值新建自己的材料。</translation>
+    </message>
+    <message>
+        <source>Yours. A project keeps the values it was given; choose the material there anew to have these.</source>
+        <translation>您自己的材料。项目保留当时的数值;在项目中重新选择该材料即可采用这些数值。</translation>
+    </message>
+    <message>
+        <source>Comes with the program. What you change is kept as your own.</source>
+        <translation>随程序提供。您的更改会作为自己的材料保存。</translation>
+    </message>
+    <message>
+        <source>As &amp;before</source>
+        <translation>恢复原值(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>删除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take the values again that come with the program.</source>
+        <translation>恢复程序自带的数值。</translation>
+    </message>
+    <message>
+        <source>Forget this material of yours.</source>
+        <translation>删除您的这种材料。</translation>
+    </message>
+    <message>
+        <source>%1, own</source>
+        <translation>%1(自定)</translation>
     </message>
 </context>
 </TS>

@@ -328,12 +328,15 @@ Command designCommand() {
             [](CLI::App& app) -> Action {
                 const auto options = std::make_shared<DesignOptions>();
                 declareOptions(app, *options);
-                return [options](const Session& session) -> Result<ExitCode> {
+                const auto draftGiven = [&app] { return app.count("--draft") > 0; };
+                return [options, draftGiven](const Session& session) -> Result<ExitCode> {
                     DesignOptions run = *options;
                     const Result<MoldSettings> block = run.moldOptions.applied({});
                     if (!block)
                         return std::unexpected(block.error());
                     run.block = *block;
+                    if (block->material && !draftGiven())
+                        run.state.draft = block->material->draftDegrees.value;
                     return runDesign(run, session);
                 };
             }};

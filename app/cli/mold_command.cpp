@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/mold_command.h"
 
-#include "cli/material_table.h"
 #include "cli/mold_options.h"
 #include "cli/open_project.h"
 #include "cli/tray_parts.h"
@@ -15,7 +14,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 
 namespace moldwright::cli {
@@ -27,45 +25,10 @@ struct MoldJob {
     std::string folder;
     MoldOptions mold;
     std::vector<std::string> also;
-    std::string material;
     std::string savePreset;
     std::string variant;
     std::vector<std::string> with;
 };
-
-/// What a material's value is, and where it comes from.
-std::string cited(const char* what, const MaterialValue& value, const char* unit) {
-    return std::string(what) + " " + readable(value.value) + unit + " (" + value.source +
-           (value.status == "sourced" ? "" : "; " + value.status) + ")";
-}
-
-/// Shrink and density of the material, and a sentence that says so; one more where the cast has less draft.
-Result<MoldSettings> withMaterial(MoldSettings settings, const std::string& name, double draftDegrees,
-                                  std::vector<std::string>& notes) {
-    const Result<std::vector<Material>> table = materialTable();
-    if (!table)
-        return std::unexpected(table.error());
-    const Result<Material> material = materialNamed(*table, name);
-    if (!material)
-        return std::unexpected(material.error());
-    settings.shrink.percent.setConstant(material->shrinkPercent.value);
-    settings.shrink.formula = material->divide ? ShrinkFormula::Divide : ShrinkFormula::Plus;
-    settings.density = material->density.value;
-    notes.push_back(material->name + ": " + cited("shrink", material->shrinkPercent, " %") + ", " +
-                    cited("density", material->density, " g/cm³") + ".");
-    if (material->ventDepth) {
-        settings.vents.depth = material->ventDepth->value;
-        notes.push_back("Vents in the parting plane as an injection mold for it has them: " +
-                        cited("depth", *material->ventDepth, " mm") + ".");
-    }
-    if (!material->preparation.empty())
-        notes.push_back("Preparation for " + material->name + ": " + material->preparation);
-    if (material->draftDegrees.value > draftDegrees)
-        notes.push_back("The cast was designed with " + readable(draftDegrees) + "° of draft; " +
-                        material->name + " usually asks for " +
-                        cited("", material->draftDegrees, "°").substr(1) + ".");
-    return settings;
-}
 
 MoldFormats formatsOf(const std::vector<std::string>& names) {
     const auto given = [&](const char* name) {
@@ -119,14 +82,6 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
     if (!project.cast)
         return failure(ErrorCode::BadInput, MW_TEXT("cli", "{0} holds no finished cast. Run design first."),
                        {job.input});
-    const CastResult& cast = *project.cast;
-    std::vector<std::string> notes;
-    if (!job.material.empty()) {
-        Result<MoldSettings> chosen = withMaterial(project.mold, job.material, cast.draftDegrees, notes);
-        if (!chosen)
-            return std::unexpected(chosen.error());
-        project.mold = *std::move(chosen);
-    }
     Result<MoldSettings> settings = job.mold.applied(project.mold);
     if (!settings)
         return std::unexpected(settings.error());
@@ -139,11 +94,10 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
     const Result<Tray> tray = withParts(trayOf(project, project.name), job.with);
     if (!tray)
         return std::unexpected(tray.error());
-    Result<Mold> mold = buildMold(*tray, cast.draftDegrees, *settings, session.task().part(0.1, 0.9));
+    const Result<Mold> mold =
+        buildMold(*tray, project.cast->draftDegrees, *settings, session.task().part(0.1, 0.9));
     if (!mold)
         return std::unexpected(mold.error());
-    std::ranges::transform(notes, std::inserter(mold->notes, mold->notes.begin()),
-                           [](const std::string& note) { return Message{note, {}}; });
     if (const Result<void> written = writeMold(*mold, namesOf(*tray), job.folder, formatsOf(job.also));
         !written)
         return std::unexpected(written.error());
@@ -189,11 +143,6 @@ Command moldCommand() {
             app.add_option("--also", job->also, "Further files: obj, ply, svg, dxf; comma between")
                 ->delimiter(',')
                 ->check(CLI::IsMember({"obj", "ply", "svg", "dxf"}));
-            app.add_option("--material", job->material,
-                           "Takes shrink, formula, density and depth of vents from the table of materials; "
-                           "options given go "
-                           "first")
-                ->type_name("NAME");
             app.add_option("--save-preset", job->savePreset,
                            "Saves block, layout, features and machines under this name, for --preset")
                 ->type_name("NAME");

@@ -3,6 +3,8 @@
 
 #include "cli/option_values.h"
 #include "exchange/user_folder.h"
+#include "materials/material_table.h"
+#include "mold/material_choice.h"
 #include "project/cavity_places.h"
 #include "project/guide_files.h"
 #include "project/presets.h"
@@ -43,6 +45,10 @@ void MoldOptions::declare(CLI::App& app) {
 
 void MoldOptions::declareBlock(CLI::App& app) {
     app.add_option("--preset", preset, "What was saved under this name; options given go first")
+        ->type_name("NAME");
+    app.add_option("--material", materialName,
+                   "Takes shrink, formula, density and depth of vents from the table of materials; options "
+                   "given go first. none: of no material of the table")
         ->type_name("NAME");
     length(app, "--wall", wall, "Steel round the cavities on all sides; the default is the project's");
     length(app, "--side-wall", side, "Steel at the sides alone");
@@ -174,8 +180,31 @@ Result<MoldSettings> MoldOptions::afterPreset(MoldSettings settings) const {
     return withPreset(settings, folder.value_or(""), preset);
 }
 
+Result<std::optional<Material>> MoldOptions::material() const {
+    if (materialName.empty() || materialName == "none")
+        return std::nullopt;
+    const Result<std::vector<Material>> table = materialTable(MaterialPlaces::usual());
+    if (!table)
+        return std::unexpected(table.error());
+    Result<Material> named = materialNamed(*table, materialName);
+    if (!named)
+        return std::unexpected(named.error());
+    return *std::move(named);
+}
+
+Result<MoldSettings> MoldOptions::afterMaterial(MoldSettings settings) const {
+    const Result<std::optional<Material>> chosen = material();
+    if (!chosen)
+        return std::unexpected(chosen.error());
+    if (*chosen)
+        return withMaterial(std::move(settings), **chosen);
+    return materialName.empty() ? std::move(settings) : withoutMaterial(std::move(settings));
+}
+
 Result<MoldSettings> MoldOptions::applied(MoldSettings given) const {
     Result<MoldSettings> taken = afterPreset(std::move(given));
+    if (taken)
+        taken = afterMaterial(*std::move(taken));
     if (!taken)
         return taken;
     MoldSettings settings = *std::move(taken);

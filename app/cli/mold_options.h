@@ -21,7 +21,11 @@ struct MoldOptions {
     /// those that refine them.
     void declare(CLI::App& app);
 
-    /// `settings` with what was given. Errors: Usage.
+    /// The material that was named, if one was. Errors: Usage, with those there are; BadInput, naming a
+    /// table.
+    [[nodiscard]] Result<std::optional<Material>> material() const;
+
+    /// `settings` with what was given: first the preset, then the material. Errors: Usage; BadInput.
     [[nodiscard]] Result<MoldSettings> applied(MoldSettings settings) const;
 
 private:
@@ -39,6 +43,7 @@ private:
     [[nodiscard]] Result<void> applyChannels(MoldSettings& settings) const;
     [[nodiscard]] Result<void> applyPouring(MoldSettings& settings) const;
     [[nodiscard]] Result<MoldSettings> afterPreset(MoldSettings settings) const;
+    [[nodiscard]] Result<MoldSettings> afterMaterial(MoldSettings settings) const;
     void applyBlock(MoldSettings& settings) const;
     void applyRegistration(MoldSettings& settings) const;
     void applyHoles(MoldSettings& settings) const;
@@ -46,7 +51,7 @@ private:
     std::optional<double> wall, side, floor, ceiling, step, outerDraft, pressure, leastSteel, density,
         blockDensity;
     std::optional<double> hollow, neck;
-    std::string preset;
+    std::string preset, materialName;
     std::optional<double> press;
     std::vector<double> stock, bed;
     std::string block;

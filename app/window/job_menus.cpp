@@ -159,6 +159,13 @@ std::vector<ActionSpec> ActionMenus::mold() {
          Needs::ProvedCast},
         {"open-mold", QT_TR_NOOP("&Open or close the mold"), "explode", "X",
          QT_TR_NOOP("Move the halves apart along their directions, or together."), Needs::MoldBuilt},
+        {"edit-materials", QT_TR_NOOP("&Materials…"), "", "",
+         QT_TR_NOOP("Look at what materials ask for, change them, add your own."), Needs::Nothing, false,
+         true},
+        {"take-material-draft", QT_TR_NOOP("&Design with its draft"), "", "",
+         QT_TR_NOOP(
+             "Ask for the draft that is usual for the chosen material; the cast is to be designed anew."),
+         Needs::IdlePart},
         {"save-preset", QT_TR_NOOP("&Save as a preset…"), "", "",
          QT_TR_NOOP("Keep block, layout, features and machines under a name, for other parts."),
          Needs::IdlePart},

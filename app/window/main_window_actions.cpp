@@ -18,6 +18,7 @@
 #include "theme/theme.h"
 #include "view/part_view.h"
 #include "window/importance_pages.h"
+#include "window/material_pages.h"
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
 #include "window/opening_bar.h"
@@ -155,6 +156,7 @@ void MainWindow::connectDesignActions() {
     connectFeatureActions();
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
     connectPresets(m_actions, m_bench, this);
+    connectMaterials(m_actions, m_bench, this);
     m_actions.on(u"print-report"_s, [this] { chooseFileForReport(); });
     m_actions.on(u"open-mold"_s, [this] {
         select(u"mold"_s);

@@ -3,6 +3,7 @@
 
 #include "theme/theme.h"
 #include "window/action_table.h"
+#include "window/mold_fields.h"
 #include "window/mold_placing.h"
 #include "window/workbench.h"
 
@@ -149,7 +150,10 @@ PropertyPage featurePage(const QString& id, const Workbench& bench, const Action
                      : Words::tr("From the middle of its cavity; up is where it is filled."),
                  place});
     page.layout = u"%1"_s.arg(along.value_or(-1));
+    PropertySection sizes = sectionOf(fieldsOfKind(name.kind));
+    sizes.title = Words::tr("All: %1").arg(sizes.title);
     page.sections = {std::move(where),
+                     std::move(sizes),
                      {Words::tr("Measured"),
                       {{u"feature-stands"_s, Words::tr("Stands"), {}, ReadingProperty{}},
                        {u"feature-steel"_s, Words::tr("Smallest steel"),
@@ -164,6 +168,7 @@ void fillFeaturePage(PropertyPanel& panel, const Workbench& bench) {
     const PlacedRow* row = rowOf(bench, panel.pageId());
     if (row == nullptr)
         return;
+    fillFields(panel, fieldsOfKind(row->stands.kind), bench.project().mold);
     const Eigen::Vector2d place = bench.placing().placeInView(*row);
     panel.setValue(u"feature-x"_s, place.x());
     panel.setValue(u"feature-y"_s, place.y());

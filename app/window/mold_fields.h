@@ -22,9 +22,19 @@ struct MoldField {
 struct MoldFieldSection {
     QString title;
     std::vector<MoldField> fields;
+    bool folds = false; ///< seldom changed
 };
 
-/// All that can be set of a mold, in the order of its page, in the user's language.
+/// What the mold's page sets, in its order, in the user's language.
 [[nodiscard]] std::vector<MoldFieldSection> moldFieldSections();
+
+/// What can be set of all features of a kind, for the page of one of them: sizes and clearances.
+[[nodiscard]] MoldFieldSection fieldsOfKind(Placeable kind);
+
+/// A row of the panel.
+[[nodiscard]] PropertySection sectionOf(const MoldFieldSection& section);
+
+/// Shows the fields' values.
+void fillFields(PropertyPanel& panel, const MoldFieldSection& section, const MoldSettings& mold);
 
 } // namespace moldwright

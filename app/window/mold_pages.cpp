@@ -4,6 +4,7 @@
 #include "mold/plaque.h"
 #include "project/edits.h"
 #include "window/action_table.h"
+#include "window/material_pages.h"
 #include "window/mold_fields.h"
 #include "window/preset_choice.h"
 #include "window/workbench.h"
@@ -56,13 +57,11 @@ void fillMeasured(PropertyPanel& panel, const Workbench& bench, const Mold& mold
 
 PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
     PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), Words::tr("Two halves around the cast."), {}};
-    page.layout = (bench.moldIsCurrent() ? u"built,"_s : QString()) + presetNamesShown().join(u',');
-    for (const MoldFieldSection& section : moldFieldSections()) {
-        PropertySection rows{section.title, {}, {}, false};
-        for (const MoldField& field : section.fields)
-            rows.rows.push_back(field.row);
-        page.sections.push_back(std::move(rows));
-    }
+    page.layout = (bench.moldIsCurrent() ? u"built,"_s : QString()) + presetNamesShown().join(u',') +
+                  materialLayout(bench.project());
+    for (const MoldFieldSection& section : moldFieldSections())
+        page.sections.push_back(sectionOf(section));
+    page.sections.insert(page.sections.begin() + 1, materialSection(bench.project(), actions));
     page.sections.front().primary = true;
     page.sections.front().buttons =
         bench.moldIsCurrent()
@@ -85,8 +84,8 @@ void fillMoldPage(PropertyPanel& panel, const Workbench& bench) {
     if (panel.pageId() != u"mold"_s)
         return;
     for (const MoldFieldSection& section : moldFieldSections())
-        for (const MoldField& field : section.fields)
-            panel.setValue(field.row.id, field.read(bench.project().mold));
+        fillFields(panel, section, bench.project().mold);
+    fillMaterialSection(panel, bench.project());
     panel.setValue(presetRow(), presetShown(bench.project().mold));
     if (bench.mold())
         fillMeasured(panel, bench, *bench.mold());
@@ -99,6 +98,8 @@ std::optional<Project> withMoldValue(const Project& project, const QString& id, 
     };
     if (id == presetRow())
         return changed(withPresetShown(project.mold, value.toInt()));
+    if (id == materialRow())
+        return changed(withMaterialShown(project.mold, value.toInt()));
     for (const MoldFieldSection& section : moldFieldSections())
         for (const MoldField& field : section.fields)
             if (field.row.id == id) {

@@ -48,6 +48,12 @@ QString sentence(const std::string& english) {
     return QString::fromStdString(translated(english));
 }
 
+QString sentenceWithWords(Message message) {
+    for (std::string& argument : message.arguments)
+        argument = translated(argument);
+    return sentence(message);
+}
+
 HeadAndRest headAndRest(const QString& text) {
     static const QRegularExpression end(u"\\. |。"_s);
     const QRegularExpressionMatch stop = end.match(text);

@@ -191,7 +191,7 @@ void Workbench::buildMoldNow() {
             for (const std::string& what : mold->problems)
                 say(Standing::Failing, sentence(what));
             for (const Message& what : mold->notes)
-                say(Standing::Info, sentence(what));
+                say(Standing::Info, sentenceWithWords(what));
             Q_EMIT changed();
             Q_EMIT moldBuilt();
         };

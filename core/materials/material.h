@@ -3,6 +3,8 @@
 
 #include "base/result.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +16,21 @@ struct MaterialValue {
     double value = 0;
     std::string range;  ///< as people write it; may be empty
     std::string source; ///< English
-    std::string
-        status; ///< "sourced", or what to beware of: "no source", "make a coupon", "ask the data sheet"
+    /// "sourced", or what to beware of: "no source", "make a coupon", "ask the data sheet"
+    std::string status = "sourced";
+
+    bool operator==(const MaterialValue&) const = default;
+};
+
+/// What is done before and while it is cast, in the words of people; each may be empty.
+struct Preparation {
+    std::string sealing; ///< of the mold
+    std::string release; ///< agent
+    std::string filling;
+    std::string setting; ///< time and temperature
+    std::string source;
+
+    bool operator==(const Preparation&) const = default;
 };
 
 /// What is cast, and what a mold for it should know.
@@ -29,8 +44,19 @@ struct Material {
     MaterialValue density;                  ///< g/cm³
     std::optional<MaterialValue> ventDepth; ///< mm, of injection vents
     std::string notes;
-    std::string preparation;
+    Preparation preparation;
+
+    bool operator==(const Material&) const = default;
 };
+
+/// Why the numbers cannot be a material's; none where they can.
+[[nodiscard]] std::optional<Message> whyImplausible(const Material& material);
+
+/// A material as it stands in a table, and back. A preparation that is one text, as in tables of old, is read
+/// as that of the filling. The second throws as the library does where a value is missing or has the wrong
+/// type.
+[[nodiscard]] nlohmann::ordered_json materialJson(const Material& material);
+[[nodiscard]] Material materialFromJson(const nlohmann::ordered_json& json);
 
 /// The materials of a table (JSON, `materials`: a list). Errors: BadInput, naming the table, the material and
 /// what is missing or out of range.

@@ -4,6 +4,7 @@
 #include "mold/balanced_runners.h"
 #include "mold/circle_layout.h"
 #include "mold/free_layout.h"
+#include "mold/material_choice.h"
 #include "mold/mold_proof.h"
 #include "mold/overflows.h"
 #include "mold/star_runners.h"
@@ -20,6 +21,7 @@ MoldBuilder::MoldBuilder(const MoldSettings& settings, double draftDegrees)
     : m_trees(std::make_shared<SteelTrees>()) {
     m_mold.settings = settings;
     m_mold.draftDegrees = draftDegrees;
+    m_mold.notes = materialNotes(settings, draftDegrees);
 }
 
 Result<void> MoldBuilder::setPlaced(const PlacedFeatures& placed) {

@@ -234,6 +234,7 @@ std::string moldJson(const Mold& mold) {
                   {"worst_draft_deg", mold.castCertificate.worstDraftDegrees},
                   {"part_to_mold", partToMold(mold, mold.partToMold)},
                   {"parts", parts(mold)},
+                  {"material", mold.settings.material ? materialJson(*mold.settings.material) : Json()},
                   {"shrink", shrink(mold)},
                   {"cavities", mold.cavities},
                   {"half1", json(mold.half1)},

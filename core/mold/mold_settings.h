@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "materials/material.h"
 #include "mold/placed_feature.h"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -256,8 +258,9 @@ struct MoldSettings {
     PlaqueSettings plaque;
     HollowSettings hollow;
     MachineSettings machines;
-    PlacedFeatures placed;     ///< what stands where a hand put it; the rest finds its own place
-    std::vector<double> stock; ///< lengths and widths of blocks that are to be had, mm; empty: any
+    std::optional<Material> material; ///< that was chosen; what it asks for stands above, see withMaterial()
+    PlacedFeatures placed;            ///< what stands where a hand put it; the rest finds its own place
+    std::vector<double> stock;        ///< lengths and widths of blocks that are to be had, mm; empty: any
 
     bool operator==(const MoldSettings&) const = default;
 };

@@ -86,6 +86,7 @@ void visit(Visitor& at, Settings& mold) {
     at.value({"spout", "tilt", "towards_deg"}, mold.spout.tilt.towards);
     at.value({"hollow", "wall"}, mold.hollow.wall);
     at.value({"stock"}, mold.stock);
+    at.material({"material"}, mold.material);
     at.features({"placed"}, mold.placed);
     at.places({"layout", "places"}, mold.layout.places);
     for (const auto& [axis, key] : {std::pair{0, "x"}, std::pair{1, "y"}, std::pair{2, "z"}})
@@ -123,6 +124,10 @@ struct Writer {
         value(path, std::string(names.at(static_cast<std::size_t>(choice))));
     }
     void features(Path path, const PlacedFeatures& placed) { value(path, placedJson(placed)); }
+    void material(Path path, const std::optional<Material>& material) {
+        if (material)
+            value(path, materialJson(*material));
+    }
     void places(Path path, const std::vector<CavityPlace>& places) { value(path, cavityPlacesJson(places)); }
 };
 
@@ -161,6 +166,10 @@ struct Reader {
         if (!read)
             throw Json::other_error::create(501, read.error().english(), found);
         placed = *read;
+    }
+    void material(Path path, std::optional<Material>& material) const {
+        if (const Json* found = find(path))
+            material = materialFromJson(*found);
     }
     void places(Path path, std::vector<CavityPlace>& places) const {
         const Json* found = find(path);

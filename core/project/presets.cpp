@@ -86,7 +86,7 @@ Result<void> savePreset(const fs::path& folder, const std::string& name, const M
                                           "spaces, hyphens or dots between."),
                        {name});
     Json mold = moldSettingsJson(settings);
-    for (const char* ofOnePart : {"shrink", "density", "placed"})
+    for (const char* ofOnePart : {"shrink", "density", "material", "placed"})
         mold.erase(ofOnePart);
     const Json whole = {{"version", 1}, {"mold", std::move(mold)}};
     if (Result<void> done = makeFolder(folder); !done)

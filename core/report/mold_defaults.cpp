@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "report/mold_defaults.h"
 
+#include "mold/material_choice.h"
+
 #include <utility>
 
 namespace moldwright {
@@ -77,11 +79,26 @@ void addBolts(Defaults& defaults, const BoltSettings& bolts) {
     defaults.add(MW_TEXT("Report", "Bolt holes, steel to the rest"), bolts.clear, usual.clear, " mm", kOwn);
 }
 
+/// Where a material's value comes from, and what to beware of.
+std::string citation(const MaterialValue& value, const Phrases& say) {
+    const std::string source = say(value.source);
+    return value.status == MaterialValue().status ? source : source + "; " + say(value.status);
+}
+
+/// What the chosen material said, where that was taken.
+void addMaterial(Defaults& defaults, const MoldSettings& settings, const Phrases& say) {
+    for (const MaterialSetting& setting : materialSettings(settings))
+        if (setting.isTaken)
+            defaults.always(setting.name, readable(setting.set) + setting.unit,
+                            citation(setting.of, say).c_str());
+}
+
 } // namespace
 
 std::vector<ReportDefault> blockDefaults(const MoldSettings& settings, const Phrases& say) {
     const MoldSettings usual;
     Defaults defaults(say);
+    addMaterial(defaults, settings, say);
     defaults.add(MW_TEXT("Report", "Wall"), settings.wall, usual.wall, " mm",
                  MW_TEXT("Report", "open mold generators, 1.5 to 25 mm"));
     defaults.add(MW_TEXT("Report", "Floor"), settings.floor, usual.floor, " mm",

@@ -81,6 +81,31 @@ ReportRow steelRow(const Mold& mold, const Phrases& say) {
     return {name, figure(mold.minWall, 2) + " mm", true};
 }
 
+/// What is cast, by the material that was chosen.
+std::string materialText(const Mold* mold, const Phrases& say) {
+    return mold != nullptr && mold->settings.material ? say(mold->settings.material->name)
+                                                      : say(MW_TEXT("Report", "not chosen"));
+}
+
+/// How many there are; of what, where they differ.
+std::string cavitiesText(const Mold* mold, const Phrases& say) {
+    if (mold == nullptr)
+        return say(MW_TEXT("Report", "no mold yet"));
+    std::string text = std::to_string(mold->cavities);
+    if (mold->parts.size() > 1)
+        for (const PartOfMold& part : mold->parts)
+            text += (&part == &mold->parts.front() ? ": " : ", ") + std::to_string(part.cavities) + " × " +
+                    part.name;
+    return text;
+}
+
+/// What a shot takes, and its mass where the density is known.
+std::string mixText(const Mold& mold) {
+    const double volume = 1.1 * (mold.cavityVolume + mold.channelVolume);
+    const double grams = volume / 1000 * mold.settings.density;
+    return volumeInCm3(volume) + (grams > 0 ? ", " + readable(grams, 3) + " g" : "");
+}
+
 std::vector<ReportRow> titleBlock(const ReportSubject& subject, const Phrases& say) {
     const SharedMesh& shown = subject.cast ? subject.cast : subject.part;
     return {{say(MW_TEXT("Report", "Part")), subject.partName},
@@ -89,6 +114,8 @@ std::vector<ReportRow> titleBlock(const ReportSubject& subject, const Phrases& s
              shown ? sizeInMillimetres(boundingBox(*shown).sizes()) : say(MW_TEXT("Report", "none"))},
             {say(MW_TEXT("Report", "Date")), subject.date},
             {say(MW_TEXT("Report", "Units")), say(MW_TEXT("Report", "millimetres, degrees"))},
+            {say(MW_TEXT("Report", "Cavities")), cavitiesText(subject.mold.get(), say)},
+            {say(MW_TEXT("Report", "Material")), materialText(subject.mold.get(), say)},
             {say(MW_TEXT("Report", "Shrink")), subject.mold ? shrinkText(subject.mold->settings.shrink, say)
                                                             : say(MW_TEXT("Report", "no mold yet"))}};
 }
@@ -134,8 +161,7 @@ ReportSection numbers(const ReportSubject& subject, const Phrases& say) {
     }
     const Mold& mold = *subject.mold;
     section.rows = {{say(MW_TEXT("Report", "Cavity, as cut")), volumeInCm3(mold.cavityVolume), true},
-                    {say(MW_TEXT("Report", "Mix, with 10 % allowance")),
-                     volumeInCm3(1.1 * (mold.cavityVolume + mold.channelVolume))},
+                    {say(MW_TEXT("Report", "Mix, with 10 % allowance")), mixText(mold)},
                     {say(MW_TEXT("Report", "Projected area in the plane")), areaInCm2(mold.partingArea)},
                     {say(MW_TEXT("Report", "Clamp force, {0} bar × 1.1"), {readable(mold.settings.pressure)}),
                      figure(mold.clampForce, mold.clampForce < 10 ? 2 : 1) + " kN"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Every sentence a person can meet is translated, wherever it comes from.
+#include "materials/material_table.h"
 #include "support/folders.h"
 #include "window/action_table.h"
 #include "window/sentence.h"
@@ -138,6 +139,22 @@ TEST_P(Translated, EveryCommandHasItsWords) {
     for (const ActionSpec& spec : actionTable())
         for (const char* text : {spec.menu, spec.text, spec.hint})
             EXPECT_TRUE(knows("Actions", text)) << text;
+}
+
+TEST_P(Translated, EveryMaterialHasItsWords) {
+    const std::filesystem::path file = test::sourceFolder() / "resources/materials/materials.json";
+    const std::vector<Material> table = *materialTable({file, std::nullopt});
+    ASSERT_FALSE(table.empty());
+    for (const Material& m : table) {
+        std::vector<std::string> texts = {m.name, m.process, m.notes};
+        const Preparation& p = m.preparation;
+        texts.insert(texts.end(), {p.sealing, p.release, p.filling, p.setting, p.source});
+        for (const MaterialValue& value :
+             {m.shrinkPercent, m.draftDegrees, m.density, m.ventDepth.value_or(m.density)})
+            texts.insert(texts.end(), {value.range, value.source, value.status});
+        for (const std::string& text : texts)
+            EXPECT_TRUE(text.empty() || knows("Materials", QByteArray::fromStdString(text))) << text;
+    }
 }
 
 TEST_P(Translated, EverySampleHasItsWords) {

@@ -56,6 +56,20 @@ protected:
 
 } // namespace
 
+TEST_F(DesignCommands, AMaterialAsksForItsDraft) {
+    const auto draftWith = [this](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"design", sample("praline"), "--out", in("p"), "--json", "-"};
+        words.insert(words.end(), more.begin(), more.end());
+        const test::Run run = test::runProgram(words);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return Json::parse(run.out)["draft_deg"].get<double>();
+    };
+    EXPECT_EQ(draftWith({"--material", "concrete"}), 8);
+    EXPECT_EQ(draftWith({"--material", "concrete", "--draft", "2"}), 2);
+    EXPECT_EQ(
+        test::runProgram({"design", sample("praline"), "--out", in("p"), "--material", "gold"}).exitCode, 2);
+}
+
 TEST_F(DesignCommands, PlaneListsTheBestFirst) {
     const test::Run run = test::runProgram({"plane", sample("praline"), "--count", "3", "--json", "-"});
     ASSERT_EQ(run.exitCode, 0) << run.err;

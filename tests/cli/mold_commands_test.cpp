@@ -365,6 +365,12 @@ TEST_F(MoldCommands, AMaterialBringsItsShrinkAndDensity) {
     EXPECT_NEAR(json["shrink"]["percent"][2].get<double>(), 1.6, 1e-12);
     EXPECT_NEAR(json["shot"]["mass_g"].get<double>(), 0.905 * json["shot"]["volume_cm3"].get<double>(), 1e-9);
     EXPECT_NE(json["notes"][0].get<std::string>().find("charts"), std::string::npos) << "the source is told";
+    EXPECT_EQ(json["material"]["name"], "Polypropylene");
+    const test::Run own = test::runProgram(
+        {"mold", project(m_box), "--out", in("out"), "--material", "pp", "--shrink", "2.5", "--json", "-"});
+    const Json changed = Json::parse(own.out);
+    EXPECT_EQ(changed["shrink"]["percent"][0], 2.5) << "options go first";
+    EXPECT_NE(changed["notes"][0].get<std::string>().find("set otherwise"), std::string::npos);
 }
 
 TEST_F(MoldCommands, InfoShowsTheManifest) {

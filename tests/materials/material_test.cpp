@@ -4,6 +4,7 @@
 #include "support/folders.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <sstream>
@@ -66,4 +67,27 @@ TEST(Materials, NonsenseIsRefusedByName) {
         EXPECT_EQ(table.error().code, ErrorCode::BadInput);
         EXPECT_NE(table.error().english().find("own.json"), std::string::npos);
     }
+}
+
+TEST(Materials, AreWrittenAsTheyAreRead) {
+    for (const Material& m : bundled())
+        EXPECT_EQ(materialFromJson(materialJson(m)), m) << m.id;
+}
+
+TEST(Materials, TablesOfOldHaveOneTextForThePreparation) {
+    const std::string json = R"({"materials": [{"id": "soap", "name": "Soap",
+        "shrink_percent": {"value": 1, "source": "coupon"}, "draft_deg": {"value": 4, "source": "us"},
+        "density_g_cm3": {"value": 1.1, "source": "us"}, "preparation": "Grease it."}]})";
+    EXPECT_EQ(materialsFrom(json, "own.json")->front().preparation,
+              (Preparation{{}, {}, "Grease it.", {}, {}}));
+}
+
+TEST(Materials, PaperRecipesAreThere) {
+    const std::vector<Material> table = bundled();
+    const Preparation foam = materialNamed(table, "pu-foam")->preparation;
+    EXPECT_FALSE(foam.sealing.empty());
+    EXPECT_FALSE(foam.release.empty());
+    const Preparation gummy = materialNamed(table, "gummy")->preparation;
+    EXPECT_FALSE(gummy.release.empty());
+    EXPECT_NE(gummy.setting.find("4 °C"), std::string::npos) << "40 °F";
 }

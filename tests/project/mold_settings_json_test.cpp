@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/mold_settings_json.h"
 
+#include "support/materials.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -30,6 +32,10 @@ TEST(MoldSettingsJson, KeepsEveryValue) {
     settings.pockets = {3, PocketShape::Rectangle, 8, 12.5, 4, 0.05, 0};
     settings.plaque = {"Box|half {half}", 4.5, 0.4};
     settings.stock = {80, 125.5};
+    settings.material = test::materialCalled("soap");
+    settings.material->process = "pour";
+    settings.material->ventDepth = MaterialValue{0.02, "0.01 to 0.03", "us", "make a coupon"};
+    settings.material->preparation = {"seal", "grease", "fill", "wait", "us"};
     settings.placed = {{Placeable::Spout, 0, {3.5, 40}}, {Placeable::Key, 2, {-20.25, 1e-3}}};
     EXPECT_EQ(moldSettingsFrom(moldSettingsJson(settings)), settings);
 }

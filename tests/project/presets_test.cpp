@@ -2,6 +2,7 @@
 #include "project/presets.h"
 
 #include "support/folders.h"
+#include "support/materials.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,7 @@ MoldSettings shopSettings() {
     settings.machines = {{250, 210, 200}, 60};
     settings.shrink.percent.setConstant(1.6);
     settings.density = 0.9;
+    settings.material = test::materialCalled("pp");
     return settings;
 }
 
@@ -34,12 +36,14 @@ TEST(Presets, BringEverythingButThePartsMaterial) {
     MoldSettings here;
     here.shrink.percent.setConstant(0.4);
     here.density = 1.1;
+    here.material = test::materialCalled("soap");
     EXPECT_FALSE(presetHolds(here, folder, "Our press"));
     const Result<MoldSettings> taken = withPreset(here, folder, "Our press");
     ASSERT_TRUE(taken);
     MoldSettings expected = shopSettings();
     expected.shrink = here.shrink;
     expected.density = here.density;
+    expected.material = here.material;
     EXPECT_EQ(*taken, expected);
     EXPECT_TRUE(presetHolds(*taken, folder, "Our press"));
 }

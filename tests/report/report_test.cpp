@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "mold/material_choice.h"
 #include "report/figures.h"
 #include "report/report_data.h"
 #include "report/sha256.h"
 #include "support/casts.h"
+#include "support/materials.h"
 #include "support/molds.h"
 
 #include <gtest/gtest.h>
@@ -159,6 +161,26 @@ TEST(ReportData, ListsOnlyDefaultsThatWereUsed) {
     const std::size_t all = reportData(subject).defaults.size();
     subject.mold = std::make_shared<const Mold>(mold);
     EXPECT_EQ(reportData(subject).defaults.size(), all - 1);
+}
+
+TEST(ReportData, TellsTheMaterialAndWhatWasTakenOfIt) {
+    ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+    Mold mold = *subject.mold;
+    Material resin = test::materialCalled("Resin");
+    resin.shrinkPercent = {0.5, "", "maker", "ask the data sheet"};
+    resin.density = {1.05, "", "maker"};
+    mold.settings = withMaterial(mold.settings, resin);
+    mold.settings.density = 2; // otherwise: no default
+    subject.mold = std::make_shared<const Mold>(mold);
+    const ReportData data = reportData(subject);
+    EXPECT_EQ(std::ranges::find(data.titleBlock, "Material", &ReportRow::label)->value, "Resin");
+    const auto used = std::ranges::find(data.defaults, "Shrink", &ReportDefault::name);
+    ASSERT_NE(used, data.defaults.end());
+    EXPECT_EQ(used->value, "0.5 %");
+    EXPECT_EQ(used->source, "maker; ask the data sheet");
+    EXPECT_EQ(std::ranges::find(data.defaults, "Density", &ReportDefault::name), data.defaults.end());
+    const auto mix = std::ranges::find(data.numbers.rows, "Mix, with 10 % allowance", &ReportRow::label);
+    EXPECT_TRUE(mix->value.ends_with(" g")) << mix->value;
 }
 
 TEST(ReportData, ListsFeaturesByNameWithTheirSizes) {

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "panels/property_panel.h"
 
-#include "panels/plain_text.h"
+#include "panels/fold.h"
 #include "panels/quantity_spin_box.h"
+#include "panels/section_buttons.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStyle>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <cmath>
 
 namespace moldwright {
@@ -31,7 +30,6 @@ constexpr int leastWidth = 288;
 constexpr int padding = 12;
 constexpr int scrollBar = 16;
 constexpr int bodyWidth = leastWidth - 2 * padding - scrollBar; ///< what a row can count on
-constexpr int buttonGap = 6;
 
 QFrame* hairline(QWidget* parent) {
     auto* line = new QFrame(parent);
@@ -50,46 +48,6 @@ QLabel* makeLabel(const QString& text, QWidget* parent, bool bold, int pixels = 
     return label;
 }
 
-/// Fills the button with the accent colour, or not.
-void setFilled(QPushButton* button, bool filled) {
-    if (button->property("primary").toBool() == filled)
-        return;
-    button->setProperty("primary", filled);
-    button->updateGeometry(); // a filled button's words are bold
-    button->update();
-}
-
-/// Whether the button of an action is filled: of tools the one in use, else what is to be done next.
-bool isFilled(const QAction* action, const PropertySection& section) {
-    if (std::ranges::any_of(section.buttons, &QAction::isChecked))
-        return action->isChecked();
-    return section.primary && action == section.buttons.front();
-}
-
-/// A push button that shows an action of a section: text, icon, tool tip, enabled, as the action says.
-QPushButton* actionButton(QAction* action, const PropertySection& section, QWidget* parent) {
-    auto* button = new QPushButton(parent);
-    button->setProperty("primary", false);
-    button->setObjectName(QStringLiteral("button-") + action->objectName());
-    button->setMinimumHeight(28);
-    const auto follow = [button, action, section] {
-        const bool filled = isFilled(action, section);
-        setFilled(button, filled);
-        button->setText(plainText(action->text()));
-        button->setIcon(filled && action->isEnabled()
-                            ? tintedIcon(action->property("iconName").toString(), Qt::white)
-                            : action->icon());
-        button->setEnabled(action->isEnabled());
-        button->setVisible(action->isVisible());
-        button->setToolTip(action->toolTip());
-    };
-    follow();
-    for (const QAction* any : section.buttons)
-        QObject::connect(any, &QAction::changed, button, follow);
-    QObject::connect(button, &QPushButton::clicked, action, [action] { action->trigger(); });
-    return button;
-}
-
 } // namespace
 
 PropertyPanel::PropertyPanel(QWidget* parent) : QScrollArea(parent) {
@@ -105,6 +63,9 @@ void PropertyPanel::showPage(const PropertyPage& page, bool evenIfSame) {
         setOwner(page.owner);
         return;
     }
+    const bool anew = page.id == m_pageId;
+    const QString focused = anew ? nameOfFocused() : QString();
+    const int scrolled = anew ? verticalScrollBar()->value() : 0;
     m_pageId = page.id;
     m_layout = page.layout;
     m_rows.clear();
@@ -118,6 +79,19 @@ void PropertyPanel::showPage(const PropertyPage& page, bool evenIfSame) {
     column->addStretch(1);
     setWidget(body);
     body->setBackgroundRole(QPalette::Window);
+    if (!anew)
+        return;
+    // Whoever types goes on where they were.
+    body->adjustSize();
+    verticalScrollBar()->setValue(scrolled);
+    if (auto* same = focused.isEmpty() ? nullptr : body->findChild<QWidget*>(focused))
+        same->setFocus();
+}
+
+QString PropertyPanel::nameOfFocused() const {
+    const QWidget* focused = focusWidget();
+    return focused != nullptr && focused->hasFocus() && isAncestorOf(focused) ? focused->objectName()
+                                                                              : QString();
 }
 
 void PropertyPanel::addHead(const PropertyPage& page, QVBoxLayout* column) {
@@ -144,15 +118,35 @@ void PropertyPanel::setOwner(const QString& words) {
 void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* column) {
     column->addSpacing(2);
     column->addWidget(hairline(this));
-    if (!section.title.isEmpty())
+    if (section.folds) {
+        const QString id = section.rows.front().id;
+        auto* fold = new Fold(section.title, m_unfolded.contains(id), this);
+        fold->setObjectName(QStringLiteral("fold-") + id);
+        connect(fold, &Fold::toggled, this,
+                [this, id](bool open) { open ? void(m_unfolded.insert(id)) : void(m_unfolded.erase(id)); });
+        column->addWidget(fold);
+        column = fold->content();
+    }
+    if (!section.folds && !section.title.isEmpty())
         column->addWidget(makeLabel(section.title, this, true));
+    addRows(section.rows, column);
+    for (const QString& note : section.notes) {
+        QLabel* paragraph = makeLabel(note, this, false);
+        paragraph->setWordWrap(true);
+        paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        column->addWidget(paragraph);
+    }
+    addSectionButtons(section, bodyWidth, this, column);
+}
+
+void PropertyPanel::addRows(const std::vector<Property>& rows, QVBoxLayout* column) {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(6);
     grid->setColumnMinimumWidth(0, labelWidth);
     grid->setColumnStretch(1, 1);
     int line = 0;
-    for (const Property& property : section.rows) {
+    for (const Property& property : rows) {
         Row row;
         QWidget* editor = makeEditor(property, row);
         if (row.pictures || row.table) {
@@ -168,19 +162,12 @@ void PropertyPanel::addSection(const PropertySection& section, QVBoxLayout* colu
         editor->setToolTip(property.help);
         grid->addWidget(label, line, 0);
         grid->addWidget(editor, line, 1);
-        if (row.reading && &property != &section.rows.back())
+        if (row.reading && &property != &rows.back())
             grid->addWidget(hairline(this), ++line, 0, 1, 2);
         ++line;
         m_rows[property.id] = row;
     }
     column->addLayout(grid);
-    for (const QString& note : section.notes) {
-        QLabel* paragraph = makeLabel(note, this, false);
-        paragraph->setWordWrap(true);
-        paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        column->addWidget(paragraph);
-    }
-    addButtons(section, column);
 }
 
 QWidget* PropertyPanel::makeEditor(const Property& property, Row& row) {
@@ -305,27 +292,6 @@ QWidget* PropertyPanel::makeReading(const ReadingProperty& reading, Row& row) {
     line->addWidget(row.reading, 1);
     line->addWidget(row.goal);
     return editor;
-}
-
-void PropertyPanel::addButtons(const PropertySection& section, QVBoxLayout* column) {
-    QHBoxLayout* line = nullptr;
-    int room = 0;
-    for (std::size_t i = 0; i < section.buttons.size(); ++i) {
-        const bool first = i == 0 && section.primary;
-        QPushButton* button = actionButton(section.buttons[i], section, this);
-        const bool alone = first && section.buttons.size() % 2 == 1;
-        const int width = button->sizeHint().width();
-        if (!line || line->count() == 2 || alone || width > room) {
-            line = new QHBoxLayout;
-            line->setSpacing(buttonGap);
-            column->addLayout(line);
-            room = bodyWidth;
-        }
-        line->addWidget(button, 1);
-        room -= width + buttonGap;
-        if (alone)
-            line = nullptr;
-    }
 }
 
 void PropertyPanel::setValue(const QString& id, const QVariant& value) {

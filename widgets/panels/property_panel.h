@@ -8,6 +8,7 @@
 #include <QVariant>
 
 #include <map>
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -68,13 +69,14 @@ struct Property {
 };
 
 /// A section: rows, then paragraphs, then its buttons, two side by side. The first action of a primary
-/// section is the filled one.
+/// section is the filled one. One that folds shows its title alone until that is clicked.
 struct PropertySection {
     QString title;
     std::vector<Property> rows;
     std::vector<QAction*> buttons;
     bool primary = false;
     QStringList notes = {};
+    bool folds = false; ///< has rows, then
 };
 
 struct PropertyPage {
@@ -126,8 +128,10 @@ private:
         NumberProperty number;
     };
 
+    [[nodiscard]] QString nameOfFocused() const;
     void addHead(const PropertyPage& page, QVBoxLayout* column);
     void addSection(const PropertySection& section, QVBoxLayout* column);
+    void addRows(const std::vector<Property>& rows, QVBoxLayout* column);
     QWidget* makeNumber(const Property& property, const NumberProperty& number, Row& row);
     QWidget* makeChoice(const Property& property, const ChoiceProperty& choice, Row& row);
     QWidget* makeText(const Property& property, const TextProperty& text, Row& row);
@@ -135,11 +139,11 @@ private:
     QWidget* makePictures(const Property& property, const PicturesProperty& pictures, Row& row);
     QWidget* makeTable(const Property& property, const TableProperty& table, Row& row);
     QWidget* makeEditor(const Property& property, Row& row);
-    void addButtons(const PropertySection& section, QVBoxLayout* column);
     void connectSlider(const QString& id, const Row& row);
 
     QString m_pageId;
     QString m_layout;
+    std::set<QString> m_unfolded; ///< sections, by their first row
     QLabel* m_owner = nullptr;
     std::map<QString, Row> m_rows;
 };
