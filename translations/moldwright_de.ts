@@ -2685,10 +2685,6 @@
         <translation>Schrift</translation>
     </message>
     <message>
-        <source>Engraved in the back of each half; | between lines. {part}, {half} and {shrink} are replaced; auto: all three. Empty: none.</source>
-        <translation>In den Rücken jeder Hälfte graviert; | zwischen Zeilen. {part}, {half} und {shrink} werden ersetzt; auto: alle drei. Leer: keine.</translation>
-    </message>
-    <message>
         <source>Letters&apos; height</source>
         <translation>Schrifthöhe</translation>
     </message>
@@ -2979,6 +2975,10 @@
     <message>
         <source>Tilt while filled</source>
         <translation>Neigung beim Füllen</translation>
+    </message>
+    <message>
+        <source>Engraved in the back of each half; | between lines. {part}, {number}, {revision}, {half} and {shrink} are replaced; auto: all there is of them. Empty: none.</source>
+        <translation>In den Rücken jeder Hälfte graviert; | zwischen Zeilen. {part}, {number}, {revision}, {half} und {shrink} werden ersetzt; auto: alles, was es davon gibt. Leer: keine.</translation>
     </message>
 </context>
 <context>
@@ -3896,6 +3896,34 @@
     <message>
         <source>Change the mold</source>
         <translation>Form ändern</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Schriftfeld</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Of the part.</source>
+        <translation>Des Teils.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>As its drawing has it.</source>
+        <translation>Wie auf seiner Zeichnung.</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>Revision</translation>
+    </message>
+    <message>
+        <source>Change the title</source>
+        <translation>Schriftfeld ändern</translation>
     </message>
 </context>
 <context>
@@ -7002,6 +7030,14 @@ Offene Punkte: %1.</translation>
     <message>
         <source>Cavities</source>
         <translation>Kavitäten</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>Revision</translation>
     </message>
 </context>
 <context>

@@ -2685,10 +2685,6 @@
         <translation>文字</translation>
     </message>
     <message>
-        <source>Engraved in the back of each half; | between lines. {part}, {half} and {shrink} are replaced; auto: all three. Empty: none.</source>
-        <translation>刻在每个半模的背面；行间用 | 分隔。{part}、{half} 和 {shrink} 会被替换；auto：三者都刻。留空：不刻。</translation>
-    </message>
-    <message>
         <source>Letters&apos; height</source>
         <translation>字高</translation>
     </message>
@@ -2979,6 +2975,10 @@
     <message>
         <source>Tilt while filled</source>
         <translation>填充时倾斜</translation>
+    </message>
+    <message>
+        <source>Engraved in the back of each half; | between lines. {part}, {number}, {revision}, {half} and {shrink} are replaced; auto: all there is of them. Empty: none.</source>
+        <translation>刻在每一半背面;行间用 |。{part}、{number}、{revision}、{half} 和 {shrink} 会被替换;auto:包含所有已有内容。空:无。</translation>
     </message>
 </context>
 <context>
@@ -3896,6 +3896,34 @@
     <message>
         <source>Change the mold</source>
         <translation>更改模具</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题栏</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Of the part.</source>
+        <translation>零件的名称。</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>As its drawing has it.</source>
+        <translation>与图纸一致。</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>Change the title</source>
+        <translation>更改标题栏</translation>
     </message>
 </context>
 <context>
@@ -7002,6 +7030,14 @@ Open items: %1.</source>
     <message>
         <source>Cavities</source>
         <translation>型腔</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Revision</source>
+        <translation>版本</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,7 @@
 #include "project/edits.h"
 #include "project/guide_files.h"
 #include "project/project_file.h"
+#include "project/title.h"
 #include "report/figures.h"
 
 #include <CLI/CLI.hpp>
@@ -49,6 +50,9 @@ struct DesignOptions {
     bool frames = false; ///< keep the shapes on the way
     MoldSettings block;  ///< the options' values, once they are read
     MoldOptions moldOptions;
+    std::string number, revision; ///< of the part
+
+    [[nodiscard]] std::string partName() const { return std::filesystem::path(input).stem().string(); }
 };
 
 std::vector<Message> warningsFor(const IndexedMesh& part, const DesignResult& result) {
@@ -146,9 +150,10 @@ Project projectOf(const DesignOptions& options, const IndexedMesh& source, const
     project.design = {request.draftDegrees, request.limits, request.directionsChoice,
                       request.method,       request.fill,   request.seed};
     project.mold = options.block;
-    const std::filesystem::path file(options.input);
-    project = withPart(std::move(project), file.stem().string(), file.filename().string(),
+    project = withPart(std::move(project), options.partName(),
+                       std::filesystem::path(options.input).filename().string(),
                        std::make_shared<const IndexedMesh>(source), placement);
+    project = withTitle(std::move(project), {options.partName(), options.number, options.revision});
     project.pins = named(request.pins, guides.pins);
     project.importance = guides.importance;
     project = withState(std::move(project), result.state, request.plane.has_value());
@@ -159,15 +164,18 @@ Project projectOf(const DesignOptions& options, const IndexedMesh& source, const
 Result<void> writeMoldOf(const DesignOptions& options, const DesignRequest& request, DesignResult& result,
                          const Task& task) {
     const Stopwatch watch(result.seconds, "mold");
-    const Result<Mold> mold = buildMold(trayOf({result.cast, result.labels, result.state},
-                                               std::filesystem::path(options.input).stem().string()),
-                                        request.draftDegrees, options.block, task);
+    MoldSettings settings = options.block;
+    settings.plaque.text =
+        plaqueText(settings.plaque.text, {options.partName(), options.number, options.revision});
+    const Result<Mold> mold =
+        buildMold(trayOf({result.cast, result.labels, result.state}, options.partName()),
+                  request.draftDegrees, settings, task);
     if (!mold)
         return std::unexpected(mold.error());
     if (!mold->verified())
         return failure(ErrorCode::Internal, MW_TEXT("cli", "The mold could not be proved: {0}"),
                        {mold->problems.empty() ? mold->castCertificate.reason : mold->problems.front()});
-    return writeMold(*mold, std::filesystem::path(options.input).stem().string(), options.output);
+    return writeMold(*mold, options.partName(), options.output);
 }
 
 Result<void> writeReportOf(const std::filesystem::path& folder, const Session& session) {
@@ -308,6 +316,8 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
     placeOption("--bend-at", o.bendAt, "Leave the undercut here to bending, whatever --fill says");
     app.add_flag("--merge", o.merge, "Filling may join pieces of the part that are apart");
     o.size.declare(app);
+    app.add_option("--part-number", o.number, "Of the part, for report and plaque")->type_name("TEXT");
+    app.add_option("--revision", o.revision, "Of the part, for report and plaque")->type_name("TEXT");
     app.add_flag("--mold", o.mold, "Also build, prove and write the mold halves");
     app.add_flag("--report", o.report, "Also write the printable report, report.pdf");
     app.add_flag("--frames", o.frames, "Also write the shape after every step, into the folder frames");

@@ -21,9 +21,10 @@ void InsertOptions::declare(CLI::App& app) {
         ->check(CLI::NonNegativeNumber.description(""));
     app.add_option("--pocket-half", pocketHalf, "The half that they are in; both for dowels")
         ->check(CLI::IsMember({"1", "2", "both"}));
-    app.add_option("--plaque", plaque,
-                   "Letters engraved in the back of each half; | between lines; {part}, {half} and {shrink} "
-                   "are replaced; auto: all three; none")
+    app.add_option(
+           "--plaque", plaque,
+           "Letters engraved in the back of each half; | between lines; {part}, {number}, {revision}, "
+           "{half} and {shrink} are replaced; auto: all there is of them; none")
         ->type_name("TEXT|auto|none");
     app.add_option("--plaque-height", plaqueHeight, "Of its capitals, 2.8 or more; 0: as there is room")
         ->type_name("MM")

@@ -6,8 +6,8 @@
 #include "cli/tray_parts.h"
 #include "exchange/user_folder.h"
 #include "mold/mold_files.h"
-#include "mold/plaque.h"
 #include "project/presets.h"
+#include "project/title.h"
 #include "project/variants.h"
 #include "report/figures.h"
 
@@ -90,7 +90,7 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
                 savePreset(userFolder("presets").value_or(""), job.savePreset, *settings);
             !saved)
             return std::unexpected(saved.error());
-    settings->plaque.text = plaqueText(settings->plaque.text, project.name);
+    settings->plaque.text = plaqueText(settings->plaque.text, titleOf(project));
     const Result<Tray> tray = withParts(trayOf(project, project.name), job.with);
     if (!tray)
         return std::unexpected(tray.error());

@@ -235,22 +235,21 @@ MoldFieldSection closingFields() {
 }
 
 MoldFieldSection plaqueFields() {
-    return {
-        Words::tr("Plaque"),
-        {{{u"plaque"_s, Words::tr("Letters"),
-           Words::tr("Engraved in the back of each half; | between lines. {part}, {half} and {shrink} are "
-                     "replaced; auto: all three. Empty: none."),
-           TextProperty{u"auto"_s}},
-          [](const MoldSettings& mold) { return QString::fromStdString(mold.plaque.text); },
-          [](MoldSettings& mold, const QVariant& value) {
-              mold.plaque.text = value.toString().toStdString();
-          }},
-         numberField(u"plaque-height"_s, Words::tr("Letters' height"),
-                     Words::tr("Of capitals, 2.8 mm or more; 0: as large as there is room for."),
-                     millimetres(0, 100), [](auto& mold) -> auto& { return mold.plaque.height; }),
-         numberField(u"plaque-depth"_s, Words::tr("Letters' depth"), Words::tr("Of their grooves."),
-                     {u"mm"_s, 0.1, 5, 0.1, 2, false},
-                     [](auto& mold) -> auto& { return mold.plaque.depth; })}};
+    return {Words::tr("Plaque"),
+            {{{u"plaque"_s, Words::tr("Letters"),
+               Words::tr("Engraved in the back of each half; | between lines. {part}, {number}, {revision}, "
+                         "{half} and {shrink} are replaced; auto: all there is of them. Empty: none."),
+               TextProperty{u"auto"_s}},
+              [](const MoldSettings& mold) { return QString::fromStdString(mold.plaque.text); },
+              [](MoldSettings& mold, const QVariant& value) {
+                  mold.plaque.text = value.toString().toStdString();
+              }},
+             numberField(u"plaque-height"_s, Words::tr("Letters' height"),
+                         Words::tr("Of capitals, 2.8 mm or more; 0: as large as there is room for."),
+                         millimetres(0, 100), [](auto& mold) -> auto& { return mold.plaque.height; }),
+             numberField(u"plaque-depth"_s, Words::tr("Letters' depth"), Words::tr("Of their grooves."),
+                         {u"mm"_s, 0.1, 5, 0.1, 2, false},
+                         [](auto& mold) -> auto& { return mold.plaque.depth; })}};
 }
 
 } // namespace moldwright

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/mold_pages.h"
 
-#include "mold/plaque.h"
 #include "project/edits.h"
 #include "window/action_table.h"
 #include "window/material_pages.h"
@@ -93,7 +92,6 @@ void fillMoldPage(PropertyPanel& panel, const Workbench& bench) {
 
 std::optional<Project> withMoldValue(const Project& project, const QString& id, const QVariant& value) {
     const auto changed = [&](MoldSettings mold) {
-        mold.plaque.text = plaqueText(mold.plaque.text, project.name);
         return mold == project.mold ? std::nullopt : std::optional(withMoldSettings(project, mold));
     };
     if (id == presetRow())

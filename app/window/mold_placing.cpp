@@ -2,6 +2,7 @@
 #include "window/mold_placing.h"
 
 #include "project/edits.h"
+#include "project/title.h"
 #include "project/variants.h"
 #include "window/document.h"
 #include "window/sentence.h"
@@ -73,7 +74,8 @@ void MoldPlacing::follow() {
         m_rows.clear();
         return;
     }
-    const SketchRequest request{trayOf(project, project.name), project.cast->draftDegrees, project.mold};
+    const SketchRequest request{trayOf(project, project.name), project.cast->draftDegrees,
+                                moldAsBuilt(project)};
     if (!m_wanted || request == m_asked)
         return;
     if (request.tray != m_asked.tray) {

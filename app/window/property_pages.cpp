@@ -77,6 +77,16 @@ auto directionRows() -> decltype(PropertySection::rows) {
 PropertyPage partPage(const Workbench& bench, const Actions& actions) {
     PropertyPage page{
         u"part"_s, u"part"_s, QString::fromStdString(bench.project().name), Words::tr("Part"), {}};
+    page.layout = page.title;
+    page.sections.push_back(
+        {Words::tr("Title"),
+         {Property{u"part-name"_s, Words::tr("Name"), Words::tr("Of the part."), TextProperty{}},
+          Property{u"part-number"_s, Words::tr("Number"), Words::tr("As its drawing has it."),
+                   TextProperty{}},
+          Property{u"part-revision"_s, Words::tr("Revision"), Words::tr("As its drawing has it."),
+                   TextProperty{}}},
+         {},
+         false});
     page.sections.push_back({Words::tr("Size"),
                              {number(u"size"_s, Words::tr("Longest side"),
                                      Words::tr("Scales the whole part."), {u"mm"_s, 0.1, 5000, 1, 1, false})},

@@ -5,6 +5,7 @@
 #include "panels/progress_plots.h"
 #include "project/edits.h"
 #include "project/placing.h"
+#include "project/title.h"
 #include "scene/direction_handle.h"
 #include "scene/plane_handle.h"
 #include "window/importance_pages.h"
@@ -19,6 +20,8 @@
 #include "window/workbench.h"
 
 #include <QCoreApplication>
+
+#include <map>
 
 namespace moldwright {
 
@@ -187,6 +190,18 @@ Edit directionEdit(const Project& project, const QString& id, double degrees) {
     return {Words::tr("Turn direction %1").arg(side), withDirections(project, turned.directions)};
 }
 
+std::optional<Edit> titleEdit(const Project& project, const QString& id, const QVariant& value) {
+    PartTitle title = titleOf(project);
+    const std::map<QString, std::string*> places = {{u"part-name"_s, &title.name},
+                                                    {u"part-number"_s, &title.number},
+                                                    {u"part-revision"_s, &title.revision}};
+    const auto place = places.find(id);
+    if (place == places.end())
+        return std::nullopt;
+    *place->second = value.toString().toStdString();
+    return Edit{Words::tr("Change the title"), withTitle(project, title)};
+}
+
 std::optional<Edit> placementEdit(const Project& project, const QString& id, double number) {
     if (id == u"size"_s)
         return Edit{Words::tr("Scale the part"), withPlacement(project, scaledTo(project, number))};
@@ -234,6 +249,8 @@ DesignSettings withDesignValue(DesignSettings design, const Project& project, co
 }
 
 std::optional<Edit> editFor(const Project& project, const QString& id, const QVariant& value) {
+    if (auto titled = titleEdit(project, id, value))
+        return titled;
     if (auto placed = placementEdit(project, id, value.toDouble()))
         return placed;
     if (project.state && isOfState(id))
@@ -255,6 +272,9 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     if (!project.part)
         return;
     const Eigen::AlignedBox3d box = bench.figures(project.part).box;
+    panel.setValue(u"part-name"_s, QString::fromStdString(project.name));
+    panel.setValue(u"part-number"_s, QString::fromStdString(project.number));
+    panel.setValue(u"part-revision"_s, QString::fromStdString(project.revision));
     panel.setValue(u"size"_s, box.sizes().maxCoeff());
     panel.setValue(u"x"_s, box.center().x());
     panel.setValue(u"y"_s, box.center().y());

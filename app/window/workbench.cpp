@@ -4,6 +4,7 @@
 #include "mesh/measures.h"
 #include "project/edits.h"
 #include "project/placing.h"
+#include "project/title.h"
 #include "project/variants.h"
 #include "window/mold_placing.h"
 #include "window/pin_offers.h"
@@ -146,7 +147,7 @@ const BuiltMold& Workbench::built() const {
 bool Workbench::moldIsCurrent() const {
     const BuiltMold& mold = built();
     return mold.mold && project().cast && mold.tray == trayOf(project(), project().name) &&
-           mold.settings == project().mold;
+           mold.settings == moldAsBuilt(project());
 }
 
 void Workbench::say(Standing standing, const QString& text, const Eigen::AlignedBox3d& place) {

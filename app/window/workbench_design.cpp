@@ -6,6 +6,7 @@
 #include "mold/way_out.h"
 #include "project/design_request.h"
 #include "project/edits.h"
+#include "project/title.h"
 #include "project/variants.h"
 #include "theme/theme.h"
 #include "window/sentence.h"
@@ -173,7 +174,8 @@ void Workbench::buildMoldNow() {
     m_background.start(tr("Building the mold"), [=, this](const Task& task) -> Background::Finish {
         const CastResult& cast = *from.cast;
         const Tray tray = trayOf(from, from.name);
-        auto built = buildMold(tray, cast.draftDegrees, from.mold, task);
+        const MoldSettings settings = moldAsBuilt(from);
+        auto built = buildMold(tray, cast.draftDegrees, settings, task);
         const auto drawn = [&](const MoldHalf Mold::* half) {
             return built ? scene::drawnMesh(((*built).*half).mesh) : nullptr;
         };
@@ -185,7 +187,7 @@ void Workbench::buildMoldNow() {
                 return;
             }
             const auto mold = std::make_shared<const Mold>(std::move(**built));
-            m_molds[from.variantName] = {mold, halves, contacts, tray, from.mold};
+            m_molds[from.variantName] = {mold, halves, contacts, tray, settings};
             if (mold->verified())
                 say(Standing::Done, tr("Mold built: both halves are proved to come off."));
             for (const std::string& what : mold->problems)

@@ -180,9 +180,14 @@ IndexedMesh Plaque::solid() const {
     return together(parts, back);
 }
 
-std::string plaqueText(const std::string& typed, const std::string& part) {
-    const std::string text = typed == "auto" ? "{part}|HALF {half}|SHRINK {shrink} %" : typed;
-    return replaced(text, "{part}", replaced(part, "_", " "));
+std::string plaqueText(const std::string& typed, const PartTitle& title) {
+    std::string text = typed;
+    if (typed == "auto")
+        text = std::string("{part}") + (title.number.empty() ? "" : "|{number}") +
+               (title.revision.empty() ? "" : "|REV {revision}") + "|HALF {half}|SHRINK {shrink} %";
+    text = replaced(text, "{number}", title.number);
+    text = replaced(text, "{revision}", title.revision);
+    return replaced(text, "{part}", replaced(title.name, "_", " "));
 }
 
 std::vector<std::string> plaqueLines(const PlaqueSettings& settings, const ShrinkSettings& shrink, int side) {

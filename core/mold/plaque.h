@@ -30,8 +30,16 @@ struct Plaque {
     [[nodiscard]] IndexedMesh solid() const;
 };
 
-/// What was typed with the part's name for "{part}"; "auto" stands for name, half and shrink.
-[[nodiscard]] std::string plaqueText(const std::string& typed, const std::string& part);
+/// What a shop calls a part.
+struct PartTitle {
+    std::string name;
+    std::string number;   ///< may be empty
+    std::string revision; ///< may be empty
+};
+
+/// What was typed, with the part's title for "{part}", "{number}" and "{revision}"; "auto" stands for all of
+/// the title that there is, half and shrink.
+[[nodiscard]] std::string plaqueText(const std::string& typed, const PartTitle& title);
 
 /// What a plaque says on a half: "{half}" and "{shrink}" replaced, its lines apart.
 [[nodiscard]] std::vector<std::string> plaqueLines(const PlaqueSettings& settings,

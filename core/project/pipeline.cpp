@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/pipeline.h"
 
+#include "project/title.h"
 #include "project/variants.h"
 
 namespace moldwright {
@@ -18,8 +19,8 @@ Result<Evaluation> evaluate(const Project& project, const Task& task) {
     if (!project.cast)
         return evaluation;
     const CastResult& cast = *project.cast;
-    Result<Mold> mold =
-        buildMold(trayOf(project, project.name), cast.draftDegrees, project.mold, task.part(0.3, 0.8));
+    Result<Mold> mold = buildMold(trayOf(project, project.name), cast.draftDegrees, moldAsBuilt(project),
+                                  task.part(0.3, 0.8));
     if (!mold && mold.error().code == ErrorCode::Cancelled)
         return stopped();
     task.progress(0.8, "Draft of the cast");

@@ -83,6 +83,8 @@ struct Variant {
 /// on that one. See variants.h.
 struct Project : Variant {
     std::string name;       ///< shown in the title; the part's name
+    std::string number;     ///< the part's, as its drawing has it; may be empty
+    std::string revision;   ///< the part's; may be empty
     std::string sourceFile; ///< where the part was read from, for people
     SharedMesh source;      ///< as read: the file's numbers
     Placement placement;

@@ -233,6 +233,10 @@ std::optional<std::size_t> sharedCast(const Project& project, std::size_t other)
 nlohmann::ordered_json documentJson(const Project& project) {
     Json document = {
         {"name", project.name}, {"source_file", project.sourceFile}, {"placement", json(project.placement)}};
+    if (!project.number.empty())
+        document["part_number"] = project.number;
+    if (!project.revision.empty())
+        document["revision"] = project.revision;
     document.update(json(static_cast<const Variant&>(project)));
     if (project.cast)
         document["cast"] = json(*project.cast);
@@ -256,6 +260,8 @@ nlohmann::ordered_json documentJson(const Project& project) {
 std::vector<DescribedCast> readDocument(const nlohmann::ordered_json& document, Project& project) {
     project.name = document.at("name").get<std::string>();
     project.sourceFile = document.at("source_file").get<std::string>();
+    project.number = document.value("part_number", "");
+    project.revision = document.value("revision", "");
     project.placement = placement(document.at("placement"));
     readVariant(document, project);
     std::vector<DescribedCast> casts = {describedCast(document, 0)};

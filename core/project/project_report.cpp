@@ -75,6 +75,8 @@ ReportData projectReport(const Project& project, const Evaluation& evaluation, c
                          const std::string& date, const Phrases& say) {
     ReportSubject subject;
     subject.partName = project.name;
+    subject.partNumber = project.number;
+    subject.revision = project.revision;
     subject.sourceFile = project.sourceFile;
     subject.fileHash = fileHash;
     subject.date = date;

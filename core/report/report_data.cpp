@@ -108,7 +108,10 @@ std::string mixText(const Mold& mold) {
 
 std::vector<ReportRow> titleBlock(const ReportSubject& subject, const Phrases& say) {
     const SharedMesh& shown = subject.cast ? subject.cast : subject.part;
+    const auto given = [](const std::string& text) { return text.empty() ? "–" : text; };
     return {{say(MW_TEXT("Report", "Part")), subject.partName},
+            {say(MW_TEXT("Report", "Number")), given(subject.partNumber)},
+            {say(MW_TEXT("Report", "Revision")), given(subject.revision)},
             {say(MW_TEXT("Report", "Read from")), subject.sourceFile},
             {say(MW_TEXT("Report", "Size")),
              shown ? sizeInMillimetres(boundingBox(*shown).sizes()) : say(MW_TEXT("Report", "none"))},

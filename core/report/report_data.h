@@ -36,6 +36,8 @@ struct ReportTable {
 /// What a report is about. Without a cast or a mold it says what is still missing.
 struct ReportSubject {
     std::string partName;
+    std::string partNumber; ///< may be empty
+    std::string revision;   ///< may be empty
     std::string sourceFile;
     std::string fileHash; ///< SHA-256 of the project file
     std::string date;     ///< as it is to be printed

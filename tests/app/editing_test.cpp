@@ -16,6 +16,7 @@
 
 #include <QApplication>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QTest>
 
@@ -57,6 +58,31 @@ TEST(Editing, DraggingTheGripMovesThePlaneInOneUndoStepAndTheRedFacesFollow) {
     EXPECT_EQ(*driver.bench().project().state, before);
     driver.press("Ctrl+Shift+Z");
     EXPECT_NE(*driver.bench().project().state, before);
+}
+
+TEST(Editing, TheTitleIsTypedOnThePartsPage) {
+    WindowDriver driver;
+    ASSERT_TRUE(driver.openSample("praline"));
+    driver.selectRow("part");
+    const auto write = [&](const char* field, const char* words) {
+        auto* line = driver.window().findChild<QLineEdit*>(QString::fromLatin1(field));
+        ASSERT_NE(line, nullptr) << field;
+        line->setFocus();
+        line->selectAll();
+        QTest::keyClicks(line, QString::fromUtf8(words));
+        QTest::keyClick(line, Qt::Key_Return);
+        QTest::qWait(30);
+    };
+    write("text-part-number", "M-1042");
+    write("text-part-revision", "B");
+    write("text-part-name", "Rose praline");
+    const Project& project = driver.bench().project();
+    EXPECT_EQ(project.number + project.revision + project.name, "M-1042BRose praline");
+    EXPECT_TRUE(driver.window().windowTitle().contains(QStringLiteral("Rose praline")));
+    driver.shot("part-title");
+    driver.press("Ctrl+Z");
+    EXPECT_EQ(driver.bench().project().name, "Praline");
+    EXPECT_EQ(driver.bench().document().history().steps().size(), 3U) << "a step each";
 }
 
 TEST(Editing, DraggingAnArrowTurnsItsDirectionInOneUndoStepAndARunTakesItAsItIs) {

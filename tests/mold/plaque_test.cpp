@@ -158,6 +158,12 @@ TEST(Plaque, ThatCannotBeIsRefusedWithTheReason) {
     EXPECT_FALSE(lettersOn(1, "A?", 5));
 }
 
+TEST(Plaque, AutomaticLettersTellWhatThereIs) {
+    EXPECT_EQ(plaqueText("auto", {"fish_2", "", ""}), "fish 2|HALF {half}|SHRINK {shrink} %");
+    EXPECT_EQ(plaqueText("auto", {"fish", "M-7", "B"}), "fish|M-7|REV B|HALF {half}|SHRINK {shrink} %");
+    EXPECT_EQ(plaqueText("{revision}/{number}", {"fish", "M-7", "B"}), "B/M-7");
+}
+
 TEST(Plaque, LinesAreParted) {
     PlaqueSettings settings;
     settings.text = "A|{shrink} %|{half}{half}";

@@ -38,6 +38,8 @@ Project someProject() {
     placement.motion.translate(Eigen::Vector3d(0.1, 1.0 / 3, -7));
     Project project =
         withPart({}, "Box ∅ 20", "box.stl", std::make_shared<const IndexedMesh>(cast.mesh), placement);
+    project.number = "M-1042";
+    project.revision = "B ∅";
     project.design = {2.5,
                       {20, Eigen::Vector3d(0, 0.6, 0.8), 3},
                       DirectionsChoice::Given,
@@ -90,9 +92,9 @@ bool equal(const Variant& a, const Variant& b) {
 }
 
 bool equal(const Project& a, const Project& b) {
-    return a.name == b.name && a.sourceFile == b.sourceFile && equal(a.source, b.source) &&
-           a.placement == b.placement && equal(a.part, b.part) && a.place == b.place &&
-           equal(static_cast<const Variant&>(a), b) &&
+    return a.name == b.name && a.number == b.number && a.revision == b.revision &&
+           a.sourceFile == b.sourceFile && equal(a.source, b.source) && a.placement == b.placement &&
+           equal(a.part, b.part) && a.place == b.place && equal(static_cast<const Variant&>(a), b) &&
            std::ranges::equal(a.others, b.others,
                               [](const Variant& x, const Variant& y) { return equal(x, y); });
 }

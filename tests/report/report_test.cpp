@@ -163,6 +163,14 @@ TEST(ReportData, ListsOnlyDefaultsThatWereUsed) {
     EXPECT_EQ(reportData(subject).defaults.size(), all - 1);
 }
 
+TEST(ReportData, HasTheTitleOfThePart) {
+    ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+    subject.revision = "B";
+    const auto rows = reportData(subject).titleBlock;
+    EXPECT_EQ(std::ranges::find(rows, "Number", &ReportRow::label)->value, "–");
+    EXPECT_EQ(std::ranges::find(rows, "Revision", &ReportRow::label)->value, "B");
+}
+
 TEST(ReportData, TellsTheMaterialAndWhatWasTakenOfIt) {
     ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
     Mold mold = *subject.mold;
