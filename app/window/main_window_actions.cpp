@@ -153,6 +153,7 @@ void MainWindow::connectDesignActions() {
         m_bench.restoreShape();
     });
     connectFeatureActions();
+    connectTrayActions();
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
     connectPresets(m_actions, m_bench, this);
     m_actions.on(u"print-report"_s, [this] { chooseFileForReport(); });
