@@ -17,6 +17,7 @@
 #include "window/tray_pages.h"
 #include "window/workbench.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QTest>
 
@@ -37,7 +38,12 @@ void designed(WindowDriver& driver, const char* sample) {
     ASSERT_TRUE(driver.openSample(sample));
     driver.press("Ctrl+B");
     ASSERT_TRUE(driver.waitIdle());
-    driver.window().actions()[u"normal-directions"_s]->trigger();
+    driver.selectRow("plane");
+    auto* directions = driver.window().findChild<QComboBox*>(u"choice-choice"_s);
+    ASSERT_NE(directions, nullptr);
+    directions->setFocus();
+    QTest::keyClick(directions, Qt::Key_Down); // along the normal
+    ASSERT_EQ(project(driver).design.directionsChoice, DirectionsChoice::Normal);
     driver.press("Ctrl+Return");
     ASSERT_TRUE(driver.waitIdle(180000));
     ASSERT_TRUE(driver.bench().castIsProved());
@@ -126,10 +132,14 @@ TEST(TrayWindow, APartIsAddedCountedBuiltUndoneSavedAndOpenedAgain) {
     driver.shot("tray-mold");
     driver.type("field-tray-count-1", "3");
     EXPECT_FALSE(driver.bench().moldIsCurrent());
+    driver.type("field-tray-count-1", "2");
+    EXPECT_TRUE(driver.bench().moldIsCurrent()) << "as it was built";
     driver.window().setFocus();
-    driver.press("Ctrl+Z");
+    driver.press("Ctrl+Z"); // what was typed into one field is one step
+    EXPECT_EQ(project(driver).furtherParts[0].count, 1);
+    EXPECT_EQ(steps(driver), before + 1);
+    driver.press("Ctrl+Shift+Z");
     EXPECT_EQ(project(driver).furtherParts[0].count, 2);
-    EXPECT_TRUE(driver.bench().moldIsCurrent());
 
     // Removed by a key, and back by one step.
     const Project two = project(driver);
