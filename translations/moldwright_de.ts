@@ -944,10 +944,6 @@
         <translation>Zeigen, wie weit die Güsse zweier verglichener Varianten auseinander liegen, in mm.</translation>
     </message>
     <message>
-        <source>Remove the pin, the region or the variant that is chosen.</source>
-        <translation>Den gewählten Heftpunkt, die Region oder die Variante entfernen.</translation>
-    </message>
-    <message>
         <source>Place &amp;automatically</source>
         <translation>&amp;Automatisch platzieren</translation>
     </message>
@@ -1078,6 +1074,26 @@
     <message>
         <source>Ask for the draft that is usual for the chosen material; the cast is to be designed anew.</source>
         <translation>Die für das gewählte Material übliche Schräge verlangen; der Abguss ist neu zu entwerfen.</translation>
+    </message>
+    <message>
+        <source>Remove the pin, the region, the variant or the part of the mold that is chosen.</source>
+        <translation>Den gewählten Heftpunkt, die Region, die Variante oder das Teil der Form entfernen.</translation>
+    </message>
+    <message>
+        <source>Add a &amp;part to the mold…</source>
+        <translation>Teil in die Form auf&amp;nehmen …</translation>
+    </message>
+    <message>
+        <source>Give the mold cavities of other finished casts, from their project files.</source>
+        <translation>Der Form Kavitäten anderer fertiger Güsse geben, aus ihren Projektdateien.</translation>
+    </message>
+    <message>
+        <source>Read the part a&amp;gain</source>
+        <translation>Teil erne&amp;ut lesen</translation>
+    </message>
+    <message>
+        <source>Take the chosen part of the mold from its project file as it is now.</source>
+        <translation>Das gewählte Teil der Form aus seiner Projektdatei nehmen, wie sie jetzt ist.</translation>
     </message>
 </context>
 <context>
@@ -2409,10 +2425,6 @@
         <translation>Form</translation>
     </message>
     <message>
-        <source>Two halves around the cast.</source>
-        <translation>Zwei Hälften um den Guss.</translation>
-    </message>
-    <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
     </message>
@@ -3489,6 +3501,10 @@
     <message>
         <source>No folder can be made in {0}.</source>
         <translation>In {0} lässt sich kein Ordner anlegen.</translation>
+    </message>
+    <message>
+        <source>{0} holds no finished cast. Run its design to the end and save it first.</source>
+        <translation>{0} enthält keinen fertigen Guss. Lassen Sie dort zuerst die Verformung zu Ende laufen und speichern Sie.</translation>
     </message>
 </context>
 <context>
@@ -5241,6 +5257,14 @@
         <source>Steel between features</source>
         <translation>Stahl zwischen Merkmalen</translation>
     </message>
+    <message>
+        <source>Add parts to the mold</source>
+        <translation>Teile in die Form aufnehmen</translation>
+    </message>
+    <message>
+        <source>Moldwright projects (*.moldwright);;All files (*)</source>
+        <translation>Moldwright-Projekte (*.moldwright);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -5997,6 +6021,42 @@
     <message>
         <source>No undercut at this plane.</source>
         <translation>Kein Hinterschnitt an dieser Ebene.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 lesen</translation>
+    </message>
+    <message>
+        <source>Reading %1 parts</source>
+        <translation>%1 Teile lesen</translation>
+    </message>
+    <message>
+        <source>Add %1 to the mold</source>
+        <translation>%1 in die Form aufnehmen</translation>
+    </message>
+    <message>
+        <source>Add %1 parts to the mold</source>
+        <translation>%1 Teile in die Form aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 has a cavity in the mold now.</source>
+        <translation>%1 hat jetzt eine Kavität in der Form.</translation>
+    </message>
+    <message>
+        <source>Read %1 again</source>
+        <translation>%1 erneut lesen</translation>
+    </message>
+    <message>
+        <source>%1 is in its file as it is in the mold.</source>
+        <translation>%1 ist in seiner Datei so wie in der Form.</translation>
+    </message>
+    <message>
+        <source>%1 was read again.</source>
+        <translation>%1 wurde erneut gelesen.</translation>
+    </message>
+    <message>
+        <source>Cavities of %1</source>
+        <translation>Kavitäten von %1</translation>
     </message>
 </context>
 <context>
@@ -7520,6 +7580,77 @@ Offene Punkte: %1.</translation>
     <message>
         <source>%1, own</source>
         <translation>%1, eigenes</translation>
+    </message>
+</context>
+<context>
+    <name>TrayPages</name>
+    <message>
+        <source>Part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+    <message>
+        <source>%1 cavities: %2</source>
+        <translation>%1 Kavitäten: %2</translation>
+    </message>
+    <message>
+        <source>All places of the layout that the other parts leave.</source>
+        <translation>Alle Plätze der Anordnung, die die anderen Teile übrig lassen.</translation>
+    </message>
+    <message>
+        <source>How many cavities the mold has of it.</source>
+        <translation>Wie viele Kavitäten die Form davon hat.</translation>
+    </message>
+    <message>
+        <source>Two halves around the cast.</source>
+        <translation>Zwei Hälften um den Guss.</translation>
+    </message>
+    <message>
+        <source>Parts in the mold</source>
+        <translation>Teile in der Form</translation>
+    </message>
+    <message>
+        <source>The cast of this project, in its mold.</source>
+        <translation>Der Guss dieses Projekts, in seiner Form.</translation>
+    </message>
+    <message>
+        <source>A further part in the same mold.</source>
+        <translation>Ein weiteres Teil in derselben Form.</translation>
+    </message>
+    <message>
+        <source>In the mold</source>
+        <translation>In der Form</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>Kavitäten</translation>
+    </message>
+    <message>
+        <source>Its cast</source>
+        <translation>Sein Guss</translation>
+    </message>
+    <message>
+        <source>Read from</source>
+        <translation>Gelesen aus</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>Kleinste Schräge</translation>
+    </message>
+    <message>
+        <source>Along its own directions; in the mold it leaves along those of the first part.</source>
+        <translation>Entlang der eigenen Richtungen; in der Form verlässt es sie entlang denen des ersten Teils.</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>this project</source>
+        <translation>diesem Projekt</translation>
     </message>
 </context>
 </TS>

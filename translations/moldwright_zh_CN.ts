@@ -944,10 +944,6 @@
         <translation>按两个被比较变型的铸件相距多远着色，单位 mm。</translation>
     </message>
     <message>
-        <source>Remove the pin, the region or the variant that is chosen.</source>
-        <translation>移除选中的固定点、区域或变型。</translation>
-    </message>
-    <message>
         <source>Place &amp;automatically</source>
         <translation>自动放置(&amp;A)</translation>
     </message>
@@ -1078,6 +1074,26 @@
     <message>
         <source>Ask for the draft that is usual for the chosen material; the cast is to be designed anew.</source>
         <translation>要求所选材料的常用斜度;铸件需重新设计。</translation>
+    </message>
+    <message>
+        <source>Remove the pin, the region, the variant or the part of the mold that is chosen.</source>
+        <translation>移除选中的固定点、区域、变型或模具中的零件。</translation>
+    </message>
+    <message>
+        <source>Add a &amp;part to the mold…</source>
+        <translation>向模具添加零件(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Give the mold cavities of other finished casts, from their project files.</source>
+        <translation>让模具也具有其他已完成铸件的型腔，取自其项目文件。</translation>
+    </message>
+    <message>
+        <source>Read the part a&amp;gain</source>
+        <translation>重新读取零件(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Take the chosen part of the mold from its project file as it is now.</source>
+        <translation>按项目文件的当前内容重新读取模具中选定的零件。</translation>
     </message>
 </context>
 <context>
@@ -2409,10 +2425,6 @@
         <translation>模具</translation>
     </message>
     <message>
-        <source>Two halves around the cast.</source>
-        <translation>围绕铸件的两个半模。</translation>
-    </message>
-    <message>
         <source>Measured</source>
         <translation>测得</translation>
     </message>
@@ -3489,6 +3501,10 @@
     <message>
         <source>No folder can be made in {0}.</source>
         <translation>无法在 {0} 中创建文件夹。</translation>
+    </message>
+    <message>
+        <source>{0} holds no finished cast. Run its design to the end and save it first.</source>
+        <translation>{0} 中没有已完成的铸件。请先完成其设计运行并保存。</translation>
     </message>
 </context>
 <context>
@@ -5241,6 +5257,14 @@
         <source>Steel between features</source>
         <translation>特征之间的钢料</translation>
     </message>
+    <message>
+        <source>Add parts to the mold</source>
+        <translation>向模具添加零件</translation>
+    </message>
+    <message>
+        <source>Moldwright projects (*.moldwright);;All files (*)</source>
+        <translation>Moldwright 项目 (*.moldwright);;所有文件 (*)</translation>
+    </message>
 </context>
 <context>
     <name>moldwright::MessageList</name>
@@ -5997,6 +6021,42 @@
     <message>
         <source>No undercut at this plane.</source>
         <translation>此平面没有倒扣。</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>读取 %1</translation>
+    </message>
+    <message>
+        <source>Reading %1 parts</source>
+        <translation>读取 %1 个零件</translation>
+    </message>
+    <message>
+        <source>Add %1 to the mold</source>
+        <translation>向模具添加 %1</translation>
+    </message>
+    <message>
+        <source>Add %1 parts to the mold</source>
+        <translation>向模具添加 %1 个零件</translation>
+    </message>
+    <message>
+        <source>%1 has a cavity in the mold now.</source>
+        <translation>%1 现在在模具中有一个型腔。</translation>
+    </message>
+    <message>
+        <source>Read %1 again</source>
+        <translation>重新读取 %1</translation>
+    </message>
+    <message>
+        <source>%1 is in its file as it is in the mold.</source>
+        <translation>%1 在其文件中与在模具中相同。</translation>
+    </message>
+    <message>
+        <source>%1 was read again.</source>
+        <translation>已重新读取 %1。</translation>
+    </message>
+    <message>
+        <source>Cavities of %1</source>
+        <translation>%1 的型腔数</translation>
     </message>
 </context>
 <context>
@@ -7520,6 +7580,77 @@ Open items: %1.</source>
     <message>
         <source>%1, own</source>
         <translation>%1(自定)</translation>
+    </message>
+</context>
+<context>
+    <name>TrayPages</name>
+    <message>
+        <source>Part %1</source>
+        <translation>零件 %1</translation>
+    </message>
+    <message>
+        <source>%1 cavities: %2</source>
+        <translation>%1 个型腔：%2</translation>
+    </message>
+    <message>
+        <source>All places of the layout that the other parts leave.</source>
+        <translation>布局中其他零件留下的所有位置。</translation>
+    </message>
+    <message>
+        <source>How many cavities the mold has of it.</source>
+        <translation>模具中该零件的型腔数。</translation>
+    </message>
+    <message>
+        <source>Two halves around the cast.</source>
+        <translation>围绕铸件的两个半模。</translation>
+    </message>
+    <message>
+        <source>Parts in the mold</source>
+        <translation>模具中的零件</translation>
+    </message>
+    <message>
+        <source>The cast of this project, in its mold.</source>
+        <translation>本项目的铸件，在其模具中。</translation>
+    </message>
+    <message>
+        <source>A further part in the same mold.</source>
+        <translation>同一模具中的另一个零件。</translation>
+    </message>
+    <message>
+        <source>In the mold</source>
+        <translation>在模具中</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>型腔</translation>
+    </message>
+    <message>
+        <source>Its cast</source>
+        <translation>其铸件</translation>
+    </message>
+    <message>
+        <source>Read from</source>
+        <translation>读取自</translation>
+    </message>
+    <message>
+        <source>Worst draft</source>
+        <translation>最小拔模角</translation>
+    </message>
+    <message>
+        <source>Along its own directions; in the mold it leaves along those of the first part.</source>
+        <translation>沿其自身的方向；在模具中它沿第一个零件的方向脱模。</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>尺寸，mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>this project</source>
+        <translation>本项目</translation>
     </message>
 </context>
 </TS>

@@ -2,11 +2,12 @@
 #include "cli/mold_command.h"
 
 #include "cli/mold_options.h"
-#include "cli/open_project.h"
+#include "cli/variant_option.h"
 #include "cli/tray_parts.h"
 #include "exchange/user_folder.h"
 #include "mold/mold_files.h"
 #include "project/presets.h"
+#include "project/project_file.h"
 #include "project/title.h"
 #include "project/variants.h"
 #include "report/figures.h"
@@ -66,13 +67,6 @@ Result<ExitCode> told(const Mold& mold, const Session& session) {
     return mold.verified() ? ExitCode::Yes : ExitCode::No;
 }
 
-std::string namesOf(const Tray& tray) {
-    std::string names;
-    for (const TrayPart& part : tray)
-        names += (names.empty() ? "" : ", ") + part.name;
-    return names;
-}
-
 Result<ExitCode> build(const MoldJob& job, const Session& session) {
     session.task().progress(0, "Reading");
     Result<Project> opened = projectAt(job.input, job.variant);
@@ -111,10 +105,11 @@ constexpr const char* manual =
     "with all three on a plate, and mold.json. What is written is what was proved. The spout leaves\n"
     "through the face at +y; --pour says which turn of the cast that is up for.\n"
     "\n"
-    "--with puts other finished casts into the same mold, each one cavity or as many as its :N says; the\n"
-    "other places of --cavities or --cavity-places are IN's, which come first: row by row, the lowest row\n"
-    "first. Rows that are too short get more columns. All leave along the removal directions of IN: a part\n"
-    "that cannot, turned about the normal as may be, is refused with the draft that it would have.\n"
+    "--with puts other finished casts into the same mold, each one cavity or as many as its :N says, besides\n"
+    "the parts that the project's mold has already; the other places of --cavities or --cavity-places are\n"
+    "IN's, which come first: row by row, the lowest row first. Rows that are too short get more columns. All\n"
+    "leave along the removal directions of IN: a part that cannot, turned about the normal as may be, is refused\n"
+    "with the draft that it would have.\n"
     "\n"
     "--places takes {\"features\": [{\"kind\": \"key\", \"number\": 1, \"at\": [x, y]}, ...]}, mm, as "
     "mold.json lists\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/report_command.h"
 
-#include "cli/open_project.h"
+#include "cli/variant_option.h"
 #include "cli/render_client.h"
 
 #include <CLI/CLI.hpp>

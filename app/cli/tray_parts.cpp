@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/tray_parts.h"
 
-#include "cli/open_project.h"
+#include "project/further_parts.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -29,17 +28,6 @@ GivenPart given(const std::string& text) {
     return read.ec == std::errc() && read.ptr == end ? part : GivenPart{text};
 }
 
-std::string nameOfFolder(const std::filesystem::path& path) {
-    const std::filesystem::path plain = path.has_filename() ? path : path.parent_path();
-    return plain.stem().string();
-}
-
-/// The project's name; where another part has that, the folder's or file's.
-std::string freeName(const Tray& tray, const std::string& name, const std::string& path) {
-    const bool taken = std::ranges::find(tray, name, &TrayPart::name) != tray.end();
-    return taken ? nameOfFolder(path) : name;
-}
-
 } // namespace
 
 void addTrayOption(CLI::App& app, std::vector<std::string>& parts) {
@@ -53,14 +41,12 @@ void addTrayOption(CLI::App& app, std::vector<std::string>& parts) {
 Result<Tray> withParts(Tray tray, const std::vector<std::string>& parts) {
     for (const std::string& text : parts) {
         const GivenPart part = given(text);
-        const Result<Project> project = projectAt(part.path, {});
-        if (!project)
-            return failure(project.error().code, MW_TEXT("cli", "--with {0}: {1}"),
-                           {part.path, project.error().english()});
-        if (!project->cast)
-            return failure(ErrorCode::BadInput,
-                           MW_TEXT("cli", "{0} holds no finished cast. Run design first."), {part.path});
-        tray.push_back({project->cast, freeName(tray, project->name, part.path), part.path, part.count});
+        Result<TrayPart> read = readTrayPart(part.path, namesTaken(tray));
+        if (!read)
+            return failure(read.error().code, MW_TEXT("cli", "--with {0}: {1}"),
+                           {part.path, read.error().english()});
+        read->count = part.count;
+        tray.push_back(*std::move(read));
     }
     return tray;
 }

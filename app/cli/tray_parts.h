@@ -17,8 +17,7 @@ namespace moldwright::cli {
 void addTrayOption(CLI::App& app, std::vector<std::string>& parts);
 
 /// The tray with further parts, each given as a project file or a folder that `design` wrote, with ":N" where
-/// it is to have N cavities. Errors: as projectAt(), and BadInput without a finished cast, all naming what
-/// was given; Usage.
+/// it is to have N cavities. Errors: as readTrayPart(), naming what was given.
 [[nodiscard]] Result<Tray> withParts(Tray tray, const std::vector<std::string>& parts);
 
 /// The parts' names and how many cavities each has, for people.

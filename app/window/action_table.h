@@ -30,7 +30,7 @@ enum class Needs {
     SuggestedPins,
     SuggestedTips,
     Pins,
-    ChosenGuide,  ///< or a variant that may go
+    ChosenGuide,  ///< or a variant that may go, or a further part of the mold
     Variants,     ///< several, and idle
     Comparable,   ///< several
     OtherVariant, ///< one that is not the current one is chosen, and idle
@@ -41,6 +41,7 @@ enum class Needs {
     MoldBuilt,
     ChosenByHand, ///< a feature of the mold that stands where a hand put it is chosen
     AnyByHand,    ///< one stands there
+    FurtherPart,  ///< of the mold is chosen, and idle
     Running,
     Bending,
     Resting,

@@ -51,6 +51,11 @@ std::size_t History::bytes() const {
     const auto countVariant = [&](const Variant& variant) {
         for (const ImportantRegion& region : variant.importance)
             sum += region.faces.size() * (sizeof(int) + sizeof(double));
+        for (const TrayPart& part : variant.furtherParts)
+            if (seen.insert(part.cast.get()).second) {
+                count(part.cast->mesh);
+                sum += part.cast->labels.size();
+            }
         if (!variant.cast || !seen.insert(variant.cast.get()).second)
             return;
         count(variant.cast->mesh);

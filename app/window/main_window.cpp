@@ -30,8 +30,10 @@
 #include "window/refusal_pages.h"
 #include "window/refused_mesh.h"
 #include "window/row_places.h"
+#include "window/row_steps.h"
 #include "window/selection.h"
 #include "window/tour.h"
+#include "window/tray_pages.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
 #include "window/workbench.h"
@@ -52,40 +54,6 @@ namespace {
 
 constexpr int historyRow = 24; ///< px
 constexpr int pointingMilliseconds = 1500;
-
-/// The step of the job that a row of the tree belongs to.
-Step stepOf(const QString& id) {
-    return id == u"plane"_s || id.startsWith(u"direction"_s)                                 ? Step::Plane
-           : pinsChosen(id) || regionsChosen(id)                                             ? Step::Guides
-           : id == u"deform"_s || obstructionNumber(id) >= 0 || id.startsWith(u"undercut"_s) ? Step::Deform
-           : id == u"cast"_s                                                                 ? Step::Check
-           : id == u"mold"_s || id.startsWith(u"half"_s) || id.startsWith(u"feature-"_s)     ? Step::Mold
-                                                                                             : Step::Part;
-}
-
-/// What is selected, or where it was in the tree when it is gone.
-QString stillThere(const QString& selected, const Workbench& bench) {
-    if (const RefusedMesh* refused = bench.refused())
-        return faultNumber(selected) < listedFaults(*refused) ? selected : refusedId();
-    if (severalChosen(selected)) {
-        QStringList left = chosenIds(selected);
-        left.removeIf([&](const QString& id) { return stillThere(id, bench) != id; });
-        return left.isEmpty() ? stillThere(chosenIds(selected).back(), bench) : left.join(u' ');
-    }
-    const auto isGone = [](int number, std::size_t count) { return number >= static_cast<int>(count); };
-    if (isGone(obstructionNumber(selected), bench.obstructions().size()) ||
-        isGone(undercutNumber(selected), bench.undercuts().size()))
-        return u"deform"_s;
-    const std::size_t variants = variantCount(bench.document().committed());
-    if (isGone(variantNumber(selected), variants) || (variants == 1 && variantNumber(selected) >= 0))
-        return allVariantsId();
-    if (const auto feature = featureOf(selected);
-        feature && !bench.placing().row(feature->kind, feature->number))
-        return u"mold"_s;
-    if (isGone(pinNumber(selected), bench.project().pins.size()))
-        return u"pins"_s;
-    return isGone(regionNumber(selected), bench.project().importance.size()) ? allRegionsId() : selected;
-}
 
 } // namespace
 
@@ -232,8 +200,11 @@ std::set<Needs> MainWindow::given() const {
         editable && std::ranges::count(m_bench.pinOffers().inView(), PinKind::Tip, &SuggestedPin::kind) > 0);
     add(Needs::Pins, editable && !project.pins.empty());
     const bool variant = idle && variantNumber(m_selected) >= 0;
+    const bool furtherPart = idle && trayNumber(m_selected) > 0;
+    add(Needs::FurtherPart, furtherPart);
     add(Needs::ChosenGuide,
-        variant || (editable && !(pinNumbers(m_selected).empty() && regionNumbers(m_selected).empty())));
+        variant || furtherPart ||
+            (editable && !(pinNumbers(m_selected).empty() && regionNumbers(m_selected).empty())));
     add(Needs::Comparable, !project.others.empty());
     add(Needs::Variants, idle && !project.others.empty());
     add(Needs::OtherVariant, variant && variantNumber(m_selected) != static_cast<int>(project.place));

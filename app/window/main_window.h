@@ -172,6 +172,10 @@ private:
     void followComparison();
     void chooseVariantNow(int variant);
 
+    // main_window_tray.cpp
+    void connectTrayActions();
+    void choosePartsForMold();
+
     // main_window_tree.cpp
     void connectTree();
     void showRowMenu(const QString& id, const QPoint& place);

@@ -154,6 +154,7 @@ void MainWindow::connectDesignActions() {
         m_bench.restoreShape();
     });
     connectFeatureActions();
+    connectTrayActions();
     m_actions.on(u"build-mold"_s, [this] { m_bench.buildMoldNow(); });
     connectPresets(m_actions, m_bench, this);
     connectMaterials(m_actions, m_bench, this);

@@ -10,6 +10,7 @@
 #include "window/measure_tool.h"
 #include "window/obstruction_words.h"
 #include "window/pin_pages.h"
+#include "window/tray_pages.h"
 #include "window/undercut_pages.h"
 #include "window/view_pane.h"
 #include "window/workbench.h"
@@ -61,8 +62,10 @@ std::vector<scene::Chip> MainWindow::guideChips(const ViewPane& pane) const {
         std::ranges::copy(
             regionChips(m_bench, m_bench.surface(pane.settings().content), m_visible, m_selected),
             std::back_inserter(chips));
-    if (planShown())
+    if (planShown()) {
+        std::ranges::copy(trayChips(m_bench, m_selected), std::back_inserter(chips));
         std::ranges::copy(chipsOfChosen(m_bench, m_selected), std::back_inserter(chips));
+    }
     for (const Eigen::Vector3d& point : m_planePoints)
         chips.push_back({point, {}, scene.colours().accent});
     return chips;

@@ -10,6 +10,7 @@
 #include "window/opening_bar.h"
 #include "window/placing_snap.h"
 #include "window/steel_paint.h"
+#include "window/tray_pages.h"
 #include "window/view_pane.h"
 #include "window/workbench.h"
 
@@ -46,7 +47,7 @@ const PlacedRow* shownRow(const MoldPlacing& placing, const scene::FeatureAt& at
 
 bool MainWindow::moldShown() const {
     return m_bench.moldIsCurrent() && m_visible.mold &&
-           (m_selected == u"mold"_s || m_selected.startsWith(u"half"_s));
+           (m_selected == u"mold"_s || m_selected.startsWith(u"half"_s) || trayNumber(m_selected) >= 0);
 }
 
 void MainWindow::showMold(scene::Scene& scene, bool shown, const ShownSteel* steel) {
@@ -112,7 +113,8 @@ std::vector<scene::Chip> MainWindow::halfChips(const scene::Scene& scene) const 
 }
 
 bool MainWindow::planShown() const {
-    const bool chosen = m_selected == u"mold"_s || m_selected.startsWith(u"feature-"_s);
+    const bool chosen =
+        m_selected == u"mold"_s || m_selected.startsWith(u"feature-"_s) || trayNumber(m_selected) >= 0;
     return chosen && m_bench.castShown() && m_visible.mold && !moldShown();
 }
 

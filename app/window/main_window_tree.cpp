@@ -11,6 +11,7 @@
 #include "window/pin_pages.h"
 #include "window/row_commands.h"
 #include "window/selection.h"
+#include "window/tray_pages.h"
 #include "window/variant_pages.h"
 #include "window/view_pane.h"
 #include "window/workbench.h"
@@ -34,6 +35,8 @@ void rename(Workbench& bench, const QString& id, const QString& name) {
         bench.renameVariant(variant, name);
     else if (const int pin = pinNumber(id); pin >= 0)
         bench.renamePin(pin, name);
+    else if (const int part = trayNumber(id); part > 0)
+        bench.renamePartOfMold(part - 1, name);
     else
         bench.rename(name);
 }
@@ -89,6 +92,8 @@ void MainWindow::choose(const QStringList& ids, Qt::KeyboardModifiers keys) {
 void MainWindow::removeChosen() {
     if (const int variant = variantNumber(m_selected); variant >= 0)
         return m_bench.removeVariant(variant);
+    if (const int part = trayNumber(m_selected); part > 0)
+        return m_bench.removePartOfMold(part - 1);
     const std::vector<int> regions = regionNumbers(m_selected);
     if (regions.empty())
         m_bench.removePins(pinNumbers(m_selected));

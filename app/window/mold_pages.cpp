@@ -6,6 +6,7 @@
 #include "window/material_pages.h"
 #include "window/mold_fields.h"
 #include "window/preset_choice.h"
+#include "window/tray_pages.h"
 #include "window/workbench.h"
 
 #include <QCoreApplication>
@@ -55,7 +56,7 @@ void fillMeasured(PropertyPanel& panel, const Workbench& bench, const Mold& mold
 } // namespace
 
 PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
-    PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), Words::tr("Two halves around the cast."), {}};
+    PropertyPage page{u"mold"_s, u"mold"_s, Words::tr("Mold"), trayWords(bench), {}};
     page.layout = (bench.moldIsCurrent() ? u"built,"_s : QString()) + presetNamesShown().join(u',') +
                   materialLayout(bench.project());
     for (const MoldFieldSection& section : moldFieldSections())
@@ -66,6 +67,8 @@ PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
         bench.moldIsCurrent()
             ? std::vector{actions[u"export-mold"_s], actions[u"build-mold"_s], actions[u"open-mold"_s]}
             : std::vector{actions[u"build-mold"_s]};
+    page.layout += trayLayout(bench);
+    page.sections.push_back(traySection(bench, actions));
     page.sections.push_back(presetSection(actions));
     page.sections.push_back(
         {Words::tr("Measured"),

@@ -11,6 +11,7 @@
 #include "window/pin_pages.h"
 #include "window/refusal_pages.h"
 #include "window/row_id.h"
+#include "window/tray_pages.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
 #include "window/workbench.h"
@@ -191,6 +192,7 @@ void addMoldRows(std::vector<ProjectRow>& rows, const Workbench& bench, const Vi
         moldRow.visible = visible.mold;
     rows.push_back(moldRow);
     const int parent = static_cast<int>(rows.size()) - 1;
+    addTrayRows(rows, parent, bench);
     addFeatureRows(rows, parent, bench);
     if (!bench.mold())
         return;

@@ -12,6 +12,7 @@
 #include "window/refusal_pages.h"
 #include "window/selection.h"
 #include "window/sentence.h"
+#include "window/tray_pages.h"
 #include "window/undercut_pages.h"
 #include "window/variant_pages.h"
 #include "window/workbench.h"
@@ -304,6 +305,8 @@ PropertyPage propertyPage(const QString& selected, const Workbench& bench, const
         return featuresPage(selected, actions);
     if (featureOf(selected))
         return featurePage(selected, bench, actions);
+    if (trayNumber(selected) >= 0)
+        return trayPage(trayNumber(selected), bench, actions);
     if (selected == u"mold"_s || selected.startsWith(u"half"_s))
         return moldPage(bench, actions);
     return partPage(bench, actions);

@@ -16,6 +16,7 @@
 #include "window/presentation.h"
 #include "window/property_pages.h"
 #include "window/refusal_pages.h"
+#include "window/tray_pages.h"
 #include "window/undercut_pages.h"
 #include "window/workbench.h"
 
@@ -294,6 +295,7 @@ void fillPage(PropertyPanel& panel, const Workbench& bench) {
     fillMeasures(panel, bench);
     fillProof(panel, bench);
     fillMoldPage(panel, bench);
+    fillTrayPage(panel, bench);
     fillFeaturePage(panel, bench);
     fillObstruction(panel, bench);
     fillUndercutPage(panel, bench);
@@ -305,6 +307,7 @@ void applyProperty(Workbench& bench, const QString& page, const QString& id, con
                    bool preview) {
     if (applyTreatment(bench, id, value.toInt()) ||
         applyFeatureValue(bench, id, page, value.toDouble(), preview) ||
+        applyTrayValue(bench, id, value.toInt(), preview) ||
         applyPinValue(bench, id, page, value.toDouble(), preview) ||
         applyRegionValue(bench, id, page, value.toDouble(), preview))
         return;

@@ -78,7 +78,16 @@ const std::vector<std::pair<QString, QStringList>>& rowTable() {
         {u"undercut"_s, {u"find-undercuts"_s}},
         {u"deform"_s, {u"run"_s, u"fill-and-run"_s, u"find-undercuts"_s, {}, u"restore"_s}},
         {u"cast"_s, {u"show-deviation"_s, u"show-draft"_s, {}, u"export-cast"_s, u"restore"_s}},
-        {u"mold"_s, {u"build-mold"_s, u"open-mold"_s, {}, u"export-mold"_s, u"print-report"_s, u"hide"_s}},
+        {u"mold"_s,
+         {u"build-mold"_s,
+          u"open-mold"_s,
+          {},
+          u"add-part"_s,
+          {},
+          u"export-mold"_s,
+          u"print-report"_s,
+          u"hide"_s}},
+        {u"tray-"_s, {u"rename"_s, u"read-part-again"_s, {}, u"add-part"_s, u"remove-guide"_s}},
         {u"half-"_s, {u"open-mold"_s, u"export-mold"_s}},
     };
     return table;

@@ -45,7 +45,7 @@ void VariantComparison::forgetOld() {
 
 VariantComparison::Key VariantComparison::keyOf(std::size_t number) const {
     const Variant& variant = variantAt(m_project, number);
-    return {m_project.part, variant.cast, variant.mold};
+    return {m_project.part, variant.cast, variant.furtherParts, variant.mold};
 }
 
 void VariantComparison::compareWith(std::optional<std::size_t> number) {
@@ -116,6 +116,7 @@ void VariantComparison::measureMissing() {
     m_thread.post([this, key = *key] {
         Variant variant;
         variant.cast = key.cast;
+        variant.furtherParts = key.furtherParts;
         variant.mold = key.mold;
         const auto known = std::make_shared<const Known>(Known{key, variantFigures(*key.part, variant)});
         QMetaObject::invokeMethod(this, [this, known] {

@@ -47,6 +47,7 @@ private:
     struct Key {
         SharedMesh part;
         std::shared_ptr<const CastResult> cast;
+        std::vector<TrayPart> furtherParts;
         MoldSettings mold;
         bool operator==(const Key&) const = default;
     };

@@ -145,6 +145,15 @@ public:
     void renameVariant(int variant, const QString& name);
     void removeVariant(int variant);
 
+    // Further parts of the mold, by their numbers
+    /// Reads finished casts from project files. All of them come into the mold in one undo step, or none.
+    void addPartsToMold(const QStringList& files);
+    void readPartAgain(int part);
+    void renamePartOfMold(int part, const QString& name);
+    /// A preview is no step yet.
+    void countPartOfMold(int part, int cavities, bool preview);
+    void removePartOfMold(int part);
+
     // Files
     /// A mesh that cannot be designed with, in view before the document until it is left; null for none.
     [[nodiscard]] const RefusedMesh* refused() const { return m_refused.get(); }
@@ -292,6 +301,7 @@ Q_SIGNALS:
     void undercutsFound();
     void planesFound();
     void moldBuilt();
+    void partOfMoldAdded(int part);
     void saved();
     void reportWritten(const QString& file);
 
@@ -335,6 +345,7 @@ private:
     [[nodiscard]] bool completeRequest(MapRequest& request, ViewContent content) const;
     void refuse(const std::shared_ptr<const RefusedMesh>& refused);
     void complain(const Error& error, const QString& what);
+    void tellOfMold(const std::optional<Error>& refusal);
 
     Document m_document;
     MoldPlacing* m_placing; ///< a child

@@ -216,7 +216,7 @@ void Workbench::exportShape(const QString& file) {
 
 void Workbench::exportMold(const QString& folder) {
     const auto mold = built().mold;
-    const std::string name = project().name;
+    const std::string name = namesOf(built().tray);
     m_background.start(tr("Writing the halves"), [=, this](const Task&) -> Background::Finish {
         const Result<void> written = writeMold(*mold, name, folder.toStdString());
         return [=, this] {

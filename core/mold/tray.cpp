@@ -20,15 +20,23 @@ std::string nameAndSource(const Tray& tray, std::size_t part) {
     return partName(tray, part) + (source.empty() ? "" : " (" + source + ")");
 }
 
+std::string namesOf(const Tray& tray) {
+    if (tray.size() == 1)
+        return tray.front().name;
+    std::string names;
+    for (std::size_t part = 0; part < tray.size(); ++part)
+        names += (part > 0 ? ", " : "") + partName(tray, part);
+    return names;
+}
+
 Result<SeatedLayout> seated(const Tray& tray, const LayoutSettings& layout) {
-    constexpr int most = 400;
     int asked = 0;
     for (std::size_t part = 0; part < tray.size(); ++part) {
-        if (tray[part].count < 1 || tray[part].count > most)
+        if (tray[part].count < 1 || tray[part].count > mostCavities)
             return failure(
                 ErrorCode::Usage,
                 MW_TEXT("Mold", "A mold cannot have {0} cavities of {1}: 1 to {2} are possible."),
-                {std::to_string(tray[part].count), nameAndSource(tray, part), std::to_string(most)});
+                {std::to_string(tray[part].count), nameAndSource(tray, part), std::to_string(mostCavities)});
         asked += tray[part].count;
     }
     SeatedLayout seats{layout, {}};

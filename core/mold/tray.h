@@ -31,6 +31,9 @@ struct TrayPart {
     bool operator==(const TrayPart&) const = default;
 };
 
+/// The most cavities that a mold can have of one part.
+inline constexpr int mostCavities = 400;
+
 /// What one mold is built for: one part or several, whose cavities share the parting plane and leave along
 /// the directions of the first. Never empty.
 using Tray = std::vector<TrayPart>;
@@ -43,6 +46,9 @@ using Tray = std::vector<TrayPart>;
 
 /// The same with where it was read from, for refusals: two may have the same name.
 [[nodiscard]] std::string nameAndSource(const Tray& tray, std::size_t part);
+
+/// The names of all, commas between; of the only part its name as it is.
+[[nodiscard]] std::string namesOf(const Tray& tray);
 
 /// A layout in which each place has its part.
 struct SeatedLayout {

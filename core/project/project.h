@@ -5,6 +5,7 @@
 #include "design/design.h"
 #include "mesh/indexed_mesh.h"
 #include "mold/mold.h"
+#include "mold/tray.h"
 #include "project/importance.h"
 
 #include <Eigen/Geometry>
@@ -72,6 +73,7 @@ struct Variant {
     std::vector<ImportantRegion> importance; ///< where the part is to keep its shape
     std::shared_ptr<const CastResult> cast;  ///< none until a design finished
     MoldSettings mold;
+    std::vector<TrayPart> furtherParts; ///< that the mold has cavities of besides this cast's
 
     /// Casts are equal where they are the same.
     bool operator==(const Variant&) const = default;

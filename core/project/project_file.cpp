@@ -45,6 +45,8 @@ Json manifestOf(const Project& project, const std::vector<ArchiveEntry>& parts) 
                 entry["cast"] = counts(*variant.cast->mesh);
             manifest["variants"].push_back(std::move(entry));
         }
+    for (const TrayPart& part : project.furtherParts)
+        manifest["further_parts"].push_back({{"name", part.name}, {"count", part.count}});
     manifest["parts"] = Json::array();
     for (const ArchiveEntry& part : parts)
         manifest["parts"].push_back(part.name);
@@ -170,6 +172,15 @@ Result<StoredProject> openProject(const std::filesystem::path& file) {
     if (!bytes)
         return std::unexpected(bytes.error());
     return readProjectBytes(*bytes, file.filename().string());
+}
+
+Result<Project> projectAt(const std::filesystem::path& input, const std::string& variant) {
+    const std::filesystem::path file =
+        std::filesystem::is_directory(input) ? input / "project.moldwright" : input;
+    Result<StoredProject> stored = openProject(file);
+    if (!stored)
+        return std::unexpected(stored.error());
+    return atVariant(std::move(stored->project), variant, file.filename().string());
 }
 
 Result<std::string> projectManifest(const std::filesystem::path& file) {

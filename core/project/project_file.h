@@ -36,6 +36,10 @@ constexpr int projectFileMinReader = 1;
 /// Errors: BadInput (missing, not a project, damaged, too new).
 [[nodiscard]] Result<StoredProject> openProject(const std::filesystem::path& file);
 
+/// The project of a file, or of a folder that `design` wrote, the wanted variant as the current one; an empty
+/// name: as it was saved. Errors: as openProject(); Usage for a variant that there is not.
+[[nodiscard]] Result<Project> projectAt(const std::filesystem::path& input, const std::string& variant);
+
 /// manifest.json of a project file, as text. Errors as openProject().
 [[nodiscard]] Result<std::string> projectManifest(const std::filesystem::path& file);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "project/project_json.h"
 
+#include "project/further_parts_json.h"
 #include "project/mold_settings_json.h"
+#include "project/state_json.h"
 #include "project/variants.h"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +18,6 @@ namespace moldwright {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Eigen::Vector3d;
 
 // Names in files, in the order of the enumerations.
 constexpr std::array<std::string_view, 4> unitNames = {"mm", "cm", "m", "in"};
@@ -36,23 +37,6 @@ E valueOf(const Json& name, const std::array<std::string_view, N>& names) {
     if (found == names.end())
         throw Json::other_error::create(501, "unknown name " + name.get<std::string>(), &name);
     return static_cast<E>(found - names.begin());
-}
-
-Json json(const Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-}
-Vector3d vector(const Json& j) {
-    return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()};
-}
-
-Json json(const MoldState& state) {
-    return {{"normal", json(state.plane.normal)},
-            {"offset", state.plane.offset},
-            {"d1", json(state.directions.d1)},
-            {"d2", json(state.directions.d2)}};
-}
-MoldState moldState(const Json& j) {
-    return {{vector(j.at("normal")), j.at("offset").get<double>()}, {vector(j.at("d1")), vector(j.at("d2"))}};
 }
 
 Json json(const Placement& placement) {
@@ -83,7 +67,7 @@ Json json(const DesignSettings& design) {
                    {"smoothing", design.smoothing},
                    {"follow_directions", design.followDirections}};
     if (design.limits.axis) {
-        result["axis"] = json(*design.limits.axis);
+        result["axis"] = vectorJson(*design.limits.axis);
         result["cone_deg"] = design.limits.coneDegrees;
     }
     return result;
@@ -100,7 +84,7 @@ DesignSettings designSettings(const Json& j) {
     design.smoothing = j.value("smoothing", design.smoothing);
     design.followDirections = j.value("follow_directions", design.followDirections);
     if (j.contains("axis")) {
-        design.limits.axis = vector(j.at("axis"));
+        design.limits.axis = vectorFrom(j.at("axis"));
         design.limits.coneDegrees = j.at("cone_deg").get<double>();
     }
     return design;
@@ -109,7 +93,7 @@ DesignSettings designSettings(const Json& j) {
 Json json(const CastResult& cast) {
     Json limbs = Json::array();
     for (const LimbMeasure& limb : cast.limbs)
-        limbs.push_back({{"tip", json(limb.tip)},
+        limbs.push_back({{"tip", vectorJson(limb.tip)},
                          {"length_ratio", limb.lengthRatio},
                          {"volume_ratio", limb.volumeRatio}});
     Json regions = Json::array();
@@ -119,7 +103,7 @@ Json json(const CastResult& cast) {
                            {"rms_distance", region.rmsDistance},
                            {"strain_rms", region.strain},
                            {"kept", region.kept}});
-    return {{"state", json(cast.state)},
+    return {{"state", stateJson(cast.state)},
             {"draft_deg", cast.draftDegrees},
             {"change",
              {{"mean_distance", cast.change.meanDistance},
@@ -132,14 +116,14 @@ Json json(const CastResult& cast) {
 }
 CastResult castResult(const Json& j) {
     CastResult cast;
-    cast.state = moldState(j.at("state"));
+    cast.state = stateFrom(j.at("state"));
     cast.draftDegrees = j.at("draft_deg").get<double>();
     const Json& change = j.at("change");
     cast.change = {change.at("mean_distance").get<double>(), change.at("max_distance").get<double>(),
                    change.at("volume_ratio").get<double>(),
                    change.at("filled_volume_fraction").get<double>()};
     for (const Json& limb : j.at("limbs"))
-        cast.limbs.push_back({vector(limb.at("tip")), limb.at("length_ratio").get<double>(),
+        cast.limbs.push_back({vectorFrom(limb.at("tip")), limb.at("length_ratio").get<double>(),
                               limb.at("volume_ratio").get<double>()});
     // Files written before regions were measured have none.
     for (const Json& region : j.value("regions", Json::array()))
@@ -156,7 +140,7 @@ Json json(const Variant& variant) {
                    {"mold", moldSettingsJson(variant.mold)},
                    {"pins", Json::array()}};
     for (const NamedPin& pin : variant.pins)
-        result["pins"].push_back(json(pin.point));
+        result["pins"].push_back(vectorJson(pin.point));
     // Beside the points, where programs that know no names do not look.
     if (std::ranges::any_of(variant.pins, [](const NamedPin& pin) { return !pin.name.empty(); }))
         for (const NamedPin& pin : variant.pins)
@@ -165,13 +149,13 @@ Json json(const Variant& variant) {
         result["undercuts"] = Json::array();
     for (const UndercutChoice& choice : variant.undercuts)
         result["undercuts"].push_back(
-            {{"place", json(choice.place)}, {"treatment", nameOf(choice.treatment, treatmentNames)}});
+            {{"place", vectorJson(choice.place)}, {"treatment", nameOf(choice.treatment, treatmentNames)}});
     if (!variant.importance.empty())
         result["importance"] = Json::array();
     for (const ImportantRegion& region : variant.importance)
         result["importance"].push_back({{"name", region.name}, {"keep_within", region.keepWithin}});
     if (variant.state)
-        result["state"] = json(*variant.state);
+        result["state"] = stateJson(*variant.state);
     return result;
 }
 void readVariant(const Json& j, Variant& variant) {
@@ -182,17 +166,17 @@ void readVariant(const Json& j, Variant& variant) {
     for (const Json& pin : j.at("pins")) {
         const std::size_t number = variant.pins.size();
         variant.pins.push_back(
-            {{vector(pin)}, number < names.size() ? names[number].get<std::string>() : std::string()});
+            {{vectorFrom(pin)}, number < names.size() ? names[number].get<std::string>() : std::string()});
     }
     for (const Json& choice : j.value("undercuts", Json::array()))
         variant.undercuts.push_back(
-            {vector(choice.at("place")),
+            {vectorFrom(choice.at("place")),
              valueOf<UndercutChoice::Treatment>(choice.at("treatment"), treatmentNames)});
     for (const Json& region : j.value("importance", Json::array()))
         variant.importance.push_back(
             {region.at("name").get<std::string>(), {}, {}, region.at("keep_within").get<double>()});
     if (j.contains("state"))
-        variant.state = moldState(j.at("state"));
+        variant.state = stateFrom(j.at("state"));
 }
 
 DescribedCast describedCast(const Json& j, std::size_t number) {
@@ -214,6 +198,21 @@ void requireNames(const Project& project, const Json& document) {
         if (const std::string& name = variantAt(project, i).variantName;
             name.empty() || !names.insert(name).second)
             throw Json::other_error::create(501, "a name of two variants", &document);
+}
+
+void addVariants(Json& document, const Project& project) {
+    document["variant"] = {{"name", project.variantName}, {"place", project.place}};
+    document["variants"] = Json::array();
+    for (std::size_t i = 0; i < project.others.size(); ++i) {
+        const Variant& other = project.others[i];
+        Json entry = {{"name", other.variantName}};
+        entry.update(json(other));
+        if (const auto shared = sharedCast(project, i))
+            entry["cast_of"] = *shared;
+        else if (other.cast)
+            entry["cast"] = json(*other.cast);
+        document["variants"].push_back(std::move(entry));
+    }
 }
 
 } // namespace
@@ -240,20 +239,9 @@ nlohmann::ordered_json documentJson(const Project& project) {
     document.update(json(static_cast<const Variant&>(project)));
     if (project.cast)
         document["cast"] = json(*project.cast);
-    if (project.others.empty() && project.variantName == Variant().variantName)
-        return document;
-    document["variant"] = {{"name", project.variantName}, {"place", project.place}};
-    document["variants"] = Json::array();
-    for (std::size_t i = 0; i < project.others.size(); ++i) {
-        const Variant& other = project.others[i];
-        Json entry = {{"name", other.variantName}};
-        entry.update(json(other));
-        if (const auto shared = sharedCast(project, i))
-            entry["cast_of"] = *shared;
-        else if (other.cast)
-            entry["cast"] = json(*other.cast);
-        document["variants"].push_back(std::move(entry));
-    }
+    if (!project.others.empty() || project.variantName != Variant().variantName)
+        addVariants(document, project);
+    addFurtherParts(document, project);
     return document;
 }
 
@@ -277,6 +265,7 @@ std::vector<DescribedCast> readDocument(const nlohmann::ordered_json& document, 
     if (document.contains("variant"))
         project.place =
             std::min(document.at("variant").at("place").get<std::size_t>(), project.others.size());
+    readFurtherParts(document, project);
     requireNames(project, document);
     return casts;
 }

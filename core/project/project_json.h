@@ -21,12 +21,13 @@ struct DescribedCast {
 /// where it is its own.
 [[nodiscard]] std::optional<std::size_t> sharedCast(const Project& project, std::size_t other);
 
-/// All of a project but its meshes, labels and the faces of its important regions, as JSON (version 1 of the
+/// All of a project but meshes, labels and the faces of its important regions, as JSON (version 1 of the
 /// project file). Doubles keep every bit. The current variant stands where files of old have the only one.
 [[nodiscard]] nlohmann::ordered_json documentJson(const Project& project);
 
 /// Reads documentJson() back into `project`; returns what belongs to the casts of the current variant and of
-/// the others, in this order. Throws nlohmann::json::exception where a key is missing or of another kind.
+/// the others, in this order. Further parts have casts without mesh and labels, see further_parts_json.h.
+/// Throws nlohmann::json::exception where a key is missing or of another kind.
 [[nodiscard]] std::vector<DescribedCast> readDocument(const nlohmann::ordered_json& document,
                                                       Project& project);
 

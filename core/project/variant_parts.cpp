@@ -2,6 +2,7 @@
 #include "project/variant_parts.h"
 
 #include "project/binary_parts.h"
+#include "project/further_parts_json.h"
 
 #include <algorithm>
 #include <utility>
@@ -29,9 +30,18 @@ void addRegions(std::vector<ArchiveEntry>& entries, const Variant& variant, cons
     }
 }
 
+/// How the names of the parts of a further cast begin.
+std::string furtherName(std::size_t number) {
+    return "further-cast-" + std::to_string(number + 1);
+}
+
+void addSurface(std::vector<ArchiveEntry>& entries, const CertifiedCast& cast, const std::string& name) {
+    entries.push_back({name + ".mesh", meshPart(*cast.mesh)});
+    entries.push_back({name + ".labels", labelsPart(cast.labels)});
+}
+
 void addCast(std::vector<ArchiveEntry>& entries, const CastResult& cast, const std::string& prefix) {
-    entries.push_back({prefix + "cast.mesh", meshPart(*cast.mesh)});
-    entries.push_back({prefix + "cast.labels", labelsPart(cast.labels)});
+    addSurface(entries, cast, prefix + "cast");
     if (const Points& before = cast.before; before.rows() > 0)
         entries.push_back(
             {prefix + "cast.before", numbersPart({before.data(), before.data() + before.size()})});
@@ -80,31 +90,57 @@ Result<void> readOldWeights(const PartSource& parts, Project& project) {
     return {};
 }
 
-Result<std::shared_ptr<const CastResult>> readCast(const PartSource& parts, const std::string& prefix,
-                                                   CastResult cast) {
-    Result<IndexedMesh> mesh = parts.part(prefix + "cast.mesh", &readMeshPart);
+/// Mesh and labels of a cast.
+Result<void> readSurface(const PartSource& parts, const std::string& name, CertifiedCast& cast) {
+    Result<IndexedMesh> mesh = parts.part(name + ".mesh", &readMeshPart);
     if (!mesh)
         return std::unexpected(mesh.error());
-    Result<SideLabels> labels = parts.part(prefix + "cast.labels", &readLabelsPart);
+    Result<SideLabels> labels = parts.part(name + ".labels", &readLabelsPart);
     if (!labels)
         return std::unexpected(labels.error());
     if (labels->size() != static_cast<std::size_t>(mesh->faceCount()))
-        return parts.damaged(prefix + "cast.labels");
+        return parts.damaged(name + ".labels");
+    cast.mesh = std::make_shared<const IndexedMesh>(*std::move(mesh));
+    cast.labels = *std::move(labels);
+    return {};
+}
+
+Result<std::shared_ptr<const CastResult>> readCast(const PartSource& parts, const std::string& prefix,
+                                                   CastResult cast) {
+    if (Result<void> done = readSurface(parts, prefix + "cast", cast); !done)
+        return std::unexpected(done.error());
     if (const std::string name = prefix + "cast.before"; parts.has(name)) {
         const Result<std::vector<double>> before = parts.part(name, &readNumbersPart);
         if (!before)
             return std::unexpected(before.error());
-        if (static_cast<Eigen::Index>(before->size()) != mesh->V.size())
+        const Points& points = cast.mesh->V;
+        if (static_cast<Eigen::Index>(before->size()) != points.size())
             return parts.damaged(name);
-        cast.before = Eigen::Map<const Points>(before->data(), mesh->V.rows(), 3);
+        cast.before = Eigen::Map<const Points>(before->data(), points.rows(), 3);
     }
-    cast.mesh = std::make_shared<const IndexedMesh>(*std::move(mesh));
-    cast.labels = *std::move(labels);
     return std::make_shared<const CastResult>(std::move(cast));
 }
 
 Variant& variantOf(Project& project, std::size_t number) {
     return number == 0 ? project : project.others[number - 1];
+}
+
+/// The document's casts of further parts have a state only; each is read once.
+Result<void> readFurtherCasts(const PartSource& parts, Project& project) {
+    const std::vector<SharedCast> described = furtherCasts(project);
+    for (std::size_t i = 0; i < described.size(); ++i) {
+        CertifiedCast cast = *described[i];
+        if (Result<void> done = readSurface(parts, furtherName(i), cast); !done)
+            return done;
+        if (cast.mesh->faceCount() == 0)
+            return parts.damaged(furtherName(i) + ".mesh");
+        const auto whole = std::make_shared<const CertifiedCast>(std::move(cast));
+        for (std::size_t number = 0; number <= project.others.size(); ++number)
+            for (TrayPart& part : variantOf(project, number).furtherParts)
+                if (part.cast == described[i])
+                    part.cast = whole;
+    }
+    return {};
 }
 
 Result<void> readRegions(const PartSource& parts, Project& project) {
@@ -133,6 +169,9 @@ void addVariantParts(std::vector<ArchiveEntry>& entries, const Project& project)
         if (other.cast && !sharedCast(project, i))
             addCast(entries, *other.cast, prefixOf(i + 1));
     }
+    const std::vector<SharedCast> further = furtherCasts(project);
+    for (std::size_t i = 0; i < further.size(); ++i)
+        addSurface(entries, *further[i], furtherName(i));
 }
 
 Result<void> readVariantParts(const PartSource& parts, std::vector<DescribedCast> casts, Project& project) {
@@ -150,7 +189,7 @@ Result<void> readVariantParts(const PartSource& parts, std::vector<DescribedCast
             cast = *std::move(read);
         }
     }
-    return {};
+    return readFurtherCasts(parts, project);
 }
 
 } // namespace moldwright

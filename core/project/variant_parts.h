@@ -10,9 +10,10 @@
 
 namespace moldwright {
 
-/// The binary parts of variants in a project file: faces and weights of their important regions, and their
-/// casts. The current one's names are bare ("cast.mesh"), those of the first of the others begin with
-/// "variant-1-", and so on. A cast that several variants share is there once.
+/// The binary parts of variants in a project file: faces and weights of their important regions, their
+/// casts, and those of the further parts of their molds ("further-cast-1.mesh"). The current one's names are
+/// bare ("cast.mesh"), those of the first of the others begin with "variant-1-", and so on. A cast that
+/// several variants share is there once.
 
 void addVariantParts(std::vector<ArchiveEntry>& entries, const Project& project);
 

@@ -69,7 +69,9 @@ Result<Project> atVariant(Project project, const std::string& name, const std::s
 }
 
 Tray trayOf(const Variant& variant, const std::string& name) {
-    return {{variant.cast, name, {}, 1}};
+    Tray tray = {{variant.cast, name, {}, 1}};
+    tray.insert(tray.end(), variant.furtherParts.begin(), variant.furtherParts.end());
+    return tray;
 }
 
 std::string variantNames(const Project& project) {
@@ -108,6 +110,7 @@ Project withFreshVariant(Project project) {
     fresh.state = project.state;
     fresh.design = project.design;
     fresh.mold = project.mold;
+    fresh.furtherParts = project.furtherParts;
     std::vector<Variant> variants = all(project);
     variants.push_back(std::move(fresh));
     const std::size_t last = variants.size() - 1;

@@ -22,7 +22,8 @@ namespace moldwright {
 /// naming the file and its variants.
 [[nodiscard]] Result<Project> atVariant(Project project, const std::string& name,
                                         const std::string& fileName);
-/// What a variant's mold is built for. Precondition: it has a cast. `name`: of the part.
+/// What a variant's mold is built for: its cast, then its further parts. Without a cast the first has none,
+/// and nothing can be built. `name`: of the part.
 [[nodiscard]] Tray trayOf(const Variant& variant, const std::string& name);
 /// Joined by commas, for sentences.
 [[nodiscard]] std::string variantNames(const Project& project);
@@ -38,8 +39,9 @@ namespace moldwright {
 /// A copy of a variant, with its cast, comes after it and becomes the current one, under a free name.
 [[nodiscard]] Project withDuplicate(Project project, std::size_t number);
 
-/// A variant with the current one's settings and nothing else comes last and becomes the current one: no
-/// pins, no regions, no cast. The plane is kept as a place to begin at, open to the run's search.
+/// A variant with the current one's settings, those of its mold with its further parts too, and nothing else
+/// comes last and becomes the current one: no pins, no regions, no cast. The plane is kept as a place to
+/// begin at, open to the run's search.
 [[nodiscard]] Project withFreshVariant(Project project);
 
 /// Without a variant; where it was the current one, the next becomes that, or the one before the last. The

@@ -2,6 +2,7 @@
 #include "window/history.h"
 
 #include "project/edits.h"
+#include "project/further_parts.h"
 #include "project/variants.h"
 #include "support/casts.h"
 
@@ -39,6 +40,20 @@ TEST(History, CountsWhatVariantsShareOnce) {
     EXPECT_GT(history.bytes(), shared + cast);
     history.push({u"Choose"_s, two, withVariant(two, 0), {}});
     EXPECT_LT(history.bytes(), shared + 4 * cast);
+}
+
+TEST(History, CountsFurtherPartsOfAMoldOnce) {
+    const SharedMesh mesh = someMesh();
+    const Project one = withPart({}, "x", "x.stl", mesh, {});
+    const TrayPart part{std::make_shared<const CertifiedCast>(CertifiedCast{someMesh(), {}, {}}), "y", {}, 1};
+    const Project two = withFurtherPart(one, part);
+    History history;
+    history.push({u"Add y"_s, one, two, {}});
+    const std::size_t before = history.bytes();
+    const std::size_t cast = static_cast<std::size_t>(mesh->V.size()) * sizeof(double);
+    EXPECT_GT(before, 2 * cast) << "the part's and this one's";
+    history.push({u"Count"_s, two, withFurtherCount(two, 0, 2), {}});
+    EXPECT_LT(history.bytes(), before + cast);
 }
 
 TEST(History, TheOldestStepsGoWhereVariantsNeedTheMemory) {

@@ -3,6 +3,7 @@
 #include "castability/certificate.h"
 #include "cli/run_program.h"
 #include "project/edits.h"
+#include "project/further_parts.h"
 #include "project/project_file.h"
 #include "support/casts.h"
 #include "support/folders.h"
@@ -86,4 +87,32 @@ TEST_F(MoldWith, PartsThatCannotStandThereAreRefusedByTheirFolder) {
     ASSERT_TRUE(saveProject(in("empty.moldwright"), {}));
     EXPECT_NE(refused(in("empty.moldwright"), 3).find(in("empty.moldwright")), std::string::npos);
     EXPECT_NE(refused(oblique + ":0", 2).find(oblique), std::string::npos);
+}
+
+TEST_F(MoldWith, PartsThatTheProjectsMoldHasStandThereAndWithAddsToThem) {
+    const std::string ball = folderWith("ball", "ball", test::ball(6, 4));
+    const std::string file = folderWith("first", "box", m_box) + "/project.moldwright";
+    const Project project = openProject(file)->project;
+    TrayPart part = readTrayPart(ball, {"box"}).value();
+    part.count = 2;
+    ASSERT_TRUE(saveProject(file, {withFurtherPart(project, part), "", ""}));
+    const auto parts = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"mold", file, "--out", in("out"), "--json", "-"};
+        words.insert(words.end(), more.begin(), more.end());
+        const test::Run run = test::runProgram(words);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        std::vector<std::string> told;
+        const Json json = Json::parse(run.out);
+        for (const Json& one : json["parts"])
+            told.push_back(one["name"].get<std::string>() + one["cavities"].dump());
+        return told;
+    };
+    EXPECT_EQ(parts({}), (std::vector<std::string>{"box1", "ball2"}));
+    std::filesystem::rename(ball, in("gone")); // the project has all it needs of it
+    EXPECT_EQ(parts({"--with", in("gone") + ":3"}), (std::vector<std::string>{"box1", "ball2", "gone3"}));
+    const test::Run info = test::runProgram({"info", file, "--variant", "A", "--json", "-"});
+    ASSERT_EQ(info.exitCode, 0) << info.err;
+    const Json json = Json::parse(info.out);
+    EXPECT_EQ(json["further_parts"], Json::parse(R"([{"name": "ball", "count": 2}])"));
+    EXPECT_EQ(json["variant"]["further_parts"][0]["source"], ball);
 }

@@ -214,7 +214,7 @@ TEST(ProjectFile, APartThatInflatesBeyondItsLimitIsRefused) {
 }
 
 TEST(ProjectFile, FlippedBitsNeverCrashNorPassUnseen) {
-    for (const StoredProject& saved : {stored, variants}) {
+    for (const StoredProject& saved : {stored, variants, StoredProject{someTrays(), "", ""}}) {
         const std::string whole = bytesOf(saved);
         std::mt19937 random(1);
         for (int i = 0; i < 1000; ++i) {

@@ -3,6 +3,7 @@
 
 #include "castability/certificate.h"
 #include "project/edits.h"
+#include "project/further_parts.h"
 #include "project/variants.h"
 #include "support/casts.h"
 
@@ -26,6 +27,11 @@ bool equal(const std::shared_ptr<const CastResult>& a, const std::shared_ptr<con
            a->limbs.size() == b->limbs.size() &&
            (a->limbs.empty() || (a->limbs.back().tip == b->limbs.back().tip &&
                                  a->limbs.back().volumeRatio == b->limbs.back().volumeRatio));
+}
+
+bool equalParts(const TrayPart& a, const TrayPart& b) {
+    return equal(a.cast->mesh, b.cast->mesh) && a.cast->labels == b.cast->labels &&
+           a.cast->state == b.cast->state && a.name == b.name && a.source == b.source && a.count == b.count;
 }
 
 } // namespace
@@ -84,11 +90,23 @@ Project someVariants() {
     return withVariant(project, 1);
 }
 
+Project someTrays() {
+    const auto part = [](const KnownCast& cast, const std::string& name, int count) {
+        return TrayPart{std::make_shared<const CertifiedCast>(
+                            CertifiedCast{std::make_shared<const IndexedMesh>(cast.mesh),
+                                          labelSides(cast.mesh, cast.state.plane), cast.state}),
+                        name, "/parts/" + name + ".moldwright", count};
+    };
+    const TrayPart ball = part(moved(test::ball(7, 2), {0, 1, 1}, 0.3, {1, 0, 1.0 / 3}), "ball ∅", 3);
+    const Project first = withFurtherPart(withVariant(someVariants(), 0), ball);
+    return withFurtherPart(withFurtherPart(withVariant(first, 1), part(ring(9, 2, 8, 6), "ring", 1)), ball);
+}
+
 bool equal(const Variant& a, const Variant& b) {
     return a.variantName == b.variantName && a.state == b.state &&
            a.planeChosenByHand == b.planeChosenByHand && a.design == b.design && a.pins == b.pins &&
            a.undercuts == b.undercuts && a.importance == b.importance && equal(a.cast, b.cast) &&
-           a.mold == b.mold;
+           a.mold == b.mold && std::ranges::equal(a.furtherParts, b.furtherParts, equalParts);
 }
 
 bool equal(const Project& a, const Project& b) {

@@ -13,6 +13,9 @@ Project someProject();
 /// own.
 Project someVariants();
 
+/// These with further parts in their molds: the first variant has a ball, the current one that and a ring.
+Project someTrays();
+
 /// Equal in every value, meshes by content.
 bool equal(const Variant& a, const Variant& b);
 bool equal(const Project& a, const Project& b);
