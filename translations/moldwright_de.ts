@@ -7099,6 +7099,10 @@ Offene Punkte: %1.</translation>
         <source>Revision</source>
         <translation>Revision</translation>
     </message>
+    <message>
+        <source>Taken from the material</source>
+        <translation>Vom Material übernommen</translation>
+    </message>
 </context>
 <context>
     <name>SteelPaint</name>

@@ -7099,6 +7099,10 @@ Open items: %1.</source>
         <source>Revision</source>
         <translation>版本</translation>
     </message>
+    <message>
+        <source>Taken from the material</source>
+        <translation>取自材料</translation>
+    </message>
 </context>
 <context>
     <name>SteelPaint</name>

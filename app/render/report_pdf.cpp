@@ -14,13 +14,28 @@ namespace {
 constexpr double column = 86.3; ///< width of one of two columns, mm
 constexpr double second = Paper::right - column;
 
-/// The mold's features have a page of their own, and so has the table of variants.
-int pageCount(const ReportData& data) {
-    return 2 + (data.features ? 1 : 0) + (data.variants ? 1 : 0);
-}
-
 QString words(const std::string& text) {
     return QString::fromStdString(text);
+}
+
+/// Whether there is anything for the page of features, material and notes.
+bool hasFeaturesPage(const ReportData& data) {
+    return data.features || !data.materialValues.empty() || !data.notes.empty();
+}
+
+/// Whether notes have a page of their own: they could run off the end of that one.
+bool notesStandApart(const ReportData& data) {
+    constexpr std::size_t lines = 34;
+    std::size_t needed = data.featureDefaults.size() + data.materialValues.size();
+    needed += data.features ? data.features->rows.size() : 0;
+    constexpr std::size_t lettersOfLine = 80;
+    for (const std::string& note : data.notes)
+        needed += 1 + static_cast<std::size_t>(words(note).size()) / lettersOfLine;
+    return needed > lines && !data.notes.empty();
+}
+
+int pageCount(const ReportData& data) {
+    return 2 + (hasFeaturesPage(data) ? 1 : 0) + (notesStandApart(data) ? 1 : 0) + (data.variants ? 1 : 0);
 }
 
 QImage imageIn(const std::filesystem::path& folder, const char* name) {
@@ -131,8 +146,8 @@ double drawDefaults(Paper& paper, const QString& title, const std::vector<Report
     for (const ReportDefault& used : defaults) {
         paper.text(Paper::left, y + 0.9, 62, words(used.name), {9, false, ink::secondary});
         paper.text(Paper::left + 64, y + 0.9, 28, words(used.value), {9});
-        paper.text(second, y + 0.9, column, words(used.source), {9, false, ink::secondary});
-        y += 6.2;
+        y += 1.6 + std::max(4.6, paper.text(second, y + 0.9, column, words(used.source),
+                                            {9, false, ink::secondary}));
         paper.line(Paper::left, y, Paper::right, y, 0.5, ink::hairline);
     }
     return y;
@@ -194,15 +209,28 @@ void drawSecondPage(Paper& paper, const ReportData& data, const std::filesystem:
     drawFooter(paper, data, 2, pageCount(data));
 }
 
-void drawFeaturesPage(Paper& paper, const ReportData& data) {
-    drawHeader(paper, data, ReportText::tr("Features of the mold"));
-    double y = drawTable(paper, 28, *data.features) + 3;
-    y = drawDefaults(paper, ReportText::tr("Defaults used for them"), data.featureDefaults, y) + 5;
+void drawNotes(Paper& paper, const ReportData& data, double y) {
     if (data.notes.empty())
         return;
     y += paper.text(Paper::left, y, 120, ReportText::tr("To be known"), {10, true}) + 1.2;
     for (const std::string& note : data.notes)
         y += paper.text(Paper::left, y + 0.9, 180, words(note), {9}) + 1.2;
+}
+
+void drawFeaturesPage(Paper& paper, const ReportData& data) {
+    drawHeader(paper, data, ReportText::tr("Features of the mold"));
+    double y = data.features ? drawTable(paper, 28, *data.features) + 3 : 28;
+    if (!data.featureDefaults.empty())
+        y = drawDefaults(paper, ReportText::tr("Defaults used for them"), data.featureDefaults, y) + 5;
+    if (!data.materialValues.empty())
+        y = drawDefaults(paper, ReportText::tr("Taken from the material"), data.materialValues, y) + 5;
+    if (!notesStandApart(data))
+        drawNotes(paper, data, y);
+}
+
+void drawNotesPage(Paper& paper, const ReportData& data) {
+    drawHeader(paper, data, ReportText::tr("Features of the mold"));
+    drawNotes(paper, data, 28);
 }
 
 } // namespace
@@ -225,10 +253,15 @@ Result<int> writeReportPdf(const ReportData& data, const std::filesystem::path& 
     drawFirstPage(paper, data, pictures);
     paper.newPage();
     drawSecondPage(paper, data, pictures);
-    if (data.features) {
+    if (hasFeaturesPage(data)) {
         paper.newPage();
         drawFeaturesPage(paper, data);
         drawFooter(paper, data, 3, pageCount(data));
+    }
+    if (notesStandApart(data)) {
+        paper.newPage();
+        drawNotesPage(paper, data);
+        drawFooter(paper, data, 4, pageCount(data));
     }
     if (data.variants) {
         paper.newPage();

@@ -85,20 +85,11 @@ std::string citation(const MaterialValue& value, const Phrases& say) {
     return value.status == MaterialValue().status ? source : source + "; " + say(value.status);
 }
 
-/// What the chosen material said, where that was taken.
-void addMaterial(Defaults& defaults, const MoldSettings& settings, const Phrases& say) {
-    for (const MaterialSetting& setting : materialSettings(settings))
-        if (setting.isTaken)
-            defaults.always(setting.name, readable(setting.set) + setting.unit,
-                            citation(setting.of, say).c_str());
-}
-
 } // namespace
 
 std::vector<ReportDefault> blockDefaults(const MoldSettings& settings, const Phrases& say) {
     const MoldSettings usual;
     Defaults defaults(say);
-    addMaterial(defaults, settings, say);
     defaults.add(MW_TEXT("Report", "Wall"), settings.wall, usual.wall, " mm",
                  MW_TEXT("Report", "open mold generators, 1.5 to 25 mm"));
     defaults.add(MW_TEXT("Report", "Floor"), settings.floor, usual.floor, " mm",
@@ -112,6 +103,15 @@ std::vector<ReportDefault> blockDefaults(const MoldSettings& settings, const Phr
                     MW_TEXT("Report", "1.1 to 1.2 in shop practice"));
     defaults.always(MW_TEXT("Report", "Mix allowance"), "10 %", kShop);
     return std::move(defaults).used();
+}
+
+std::vector<ReportDefault> materialValues(const MoldSettings& settings, const Phrases& say) {
+    Defaults taken(say);
+    for (const MaterialSetting& setting : materialSettings(settings))
+        if (setting.isTaken)
+            taken.always(setting.name, readable(setting.set) + setting.unit,
+                         citation(setting.of, say).c_str());
+    return std::move(taken).used();
 }
 
 std::vector<ReportDefault> featureDefaults(const MoldSettings& settings, const Phrases& say) {

@@ -19,7 +19,10 @@ struct ReportDefault {
 /// Of the block and the process: what stands as it comes.
 [[nodiscard]] std::vector<ReportDefault> blockDefaults(const MoldSettings& settings, const Phrases& say);
 
-/// The same of the features that a mold with these settings has.
+/// What was taken of the material that was chosen, with each value's source and what to beware of.
+[[nodiscard]] std::vector<ReportDefault> materialValues(const MoldSettings& settings, const Phrases& say);
+
+/// Of the features that a mold with these settings has: what stands as it comes.
 [[nodiscard]] std::vector<ReportDefault> featureDefaults(const MoldSettings& settings, const Phrases& say);
 
 } // namespace moldwright

@@ -293,6 +293,7 @@ ReportData reportData(const ReportSubject& subject, const Phrases& say) {
         data.defaults = blockDefaults(subject.mold->settings, say);
         data.features = featureTable(*subject.mold, say);
         data.featureDefaults = featureDefaults(subject.mold->settings, say);
+        data.materialValues = materialValues(subject.mold->settings, say);
         data.notes = notesOf(*subject.mold, say);
         data.openItems = subject.mold->problems;
     } else {

@@ -100,6 +100,7 @@ struct ReportData {
     std::vector<ReportDefault> defaults;
     std::optional<ReportTable> features; ///< of the mold, on a page of its own with the next two
     std::vector<ReportDefault> featureDefaults;
+    std::vector<ReportDefault> materialValues; ///< on the same page, which is there for any of these
     std::vector<std::string> notes;
     std::vector<std::string> openItems;
     std::optional<ReportTable> variants; ///< on a page of its own
