@@ -1073,7 +1073,7 @@
     </message>
     <message>
         <source>Ask for the draft that is usual for the chosen material; the cast is to be designed anew.</source>
-        <translation>Die für das gewählte Material übliche Schräge verlangen; der Abguss ist neu zu entwerfen.</translation>
+        <translation>Die für das gewählte Material übliche Schräge verlangen; der Guss ist neu zu entwerfen.</translation>
     </message>
     <message>
         <source>Remove the pin, the region, the variant or the part of the mold that is chosen.</source>
@@ -1539,7 +1539,7 @@
     </message>
     <message>
         <source>The cast was designed with {0}° of draft; {1} usually asks for {2}° ({3}).</source>
-        <translation>Der Abguss wurde mit {0}° Schräge entworfen; {1} verlangt üblicherweise {2}° ({3}).</translation>
+        <translation>Der Guss wurde mit {0}° Schräge entworfen; {1} verlangt üblicherweise {2}° ({3}).</translation>
     </message>
     <message>
         <source>sourced</source>
@@ -2028,7 +2028,7 @@
     </message>
     <message>
         <source>There is no room for {0} keys, {1} slits, {2} bolt holes and {3} pockets. Ask for fewer or smaller ones.</source>
-        <translation>Es ist kein Platz für {0} Passstifte, {1} Schlitze, {2} Schraubenlöcher und {3} Einlegertaschen. Verlangen Sie weniger oder kleinere.</translation>
+        <translation>Es ist kein Platz für {0} Zapfen, {1} Schlitze, {2} Schraubenlöcher und {3} Einlegertaschen. Verlangen Sie weniger oder kleinere.</translation>
     </message>
     <message>
         <source>Measuring the steel was cancelled.</source>
@@ -2838,7 +2838,7 @@
     </message>
     <message>
         <source>Of spouts, runners and gates; more where the directions ask for it.</source>
-        <translation>Von Angüssen, Läufern und Anschnitten; mehr, wo die Richtungen es verlangen.</translation>
+        <translation>Von Angüssen, Verteilern und Anschnitten; mehr, wo die Richtungen es verlangen.</translation>
     </message>
     <message>
         <source>Vents' width</source>
@@ -2858,7 +2858,7 @@
     </message>
     <message>
         <source>Keys' width</source>
-        <translation>Breite der Passstifte</translation>
+        <translation>Breite der Zapfen</translation>
     </message>
     <message>
         <source>At the parting plane.</source>
@@ -2866,7 +2866,7 @@
     </message>
     <message>
         <source>Keys' height</source>
-        <translation>Höhe der Passstifte</translation>
+        <translation>Höhe der Zapfen</translation>
     </message>
     <message>
         <source>Over the parting plane.</source>
@@ -2874,11 +2874,11 @@
     </message>
     <message>
         <source>Keys' clearance</source>
-        <translation>Spiel der Passstifte</translation>
+        <translation>Spiel der Zapfen</translation>
     </message>
     <message>
         <source>Keys' draft</source>
-        <translation>Schräge der Passstifte</translation>
+        <translation>Schräge der Zapfen</translation>
     </message>
     <message>
         <source>Against both opening orders; more where the mold's draft is more.</source>
@@ -2974,7 +2974,7 @@
     </message>
     <message>
         <source>Spouts, runners, gates</source>
-        <translation>Angüsse, Läufer, Anschnitte</translation>
+        <translation>Angüsse, Verteiler, Anschnitte</translation>
     </message>
     <message>
         <source>Up while filled</source>
@@ -2982,7 +2982,7 @@
     </message>
     <message>
         <source>As a turn of the cast about the plane's normal; automatic: of four the one that keeps the least air.</source>
-        <translation>Als Drehung des Abgusses um die Normale der Ebene; automatisch: von vieren die, bei der am wenigsten Luft bleibt.</translation>
+        <translation>Als Drehung des Gusses um die Normale der Ebene; automatisch: von vieren die, bei der am wenigsten Luft bleibt.</translation>
     </message>
     <message>
         <source>Tilt while filled</source>

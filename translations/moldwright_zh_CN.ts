@@ -1952,7 +1952,7 @@
     </message>
     <message>
         <source>At x = {0} mm the spout has no room between the gates beside it. Move it away from them.</source>
-        <translation>在 x = {0} mm 处，浇口与旁边的内浇口之间没有空间。请将其移开。</translation>
+        <translation>在 x = {0} mm 处，浇口与旁边的浇道口之间没有空间。请将其移开。</translation>
     </message>
     <message>
         <source>At x = {0} mm a spout {1} mm wide does not meet the cavity&apos;s parting line from above, which reaches from {2} to {3} mm. Move it inwards, or make its end narrower.</source>
@@ -2028,7 +2028,7 @@
     </message>
     <message>
         <source>There is no room for {0} keys, {1} slits, {2} bolt holes and {3} pockets. Ask for fewer or smaller ones.</source>
-        <translation>放不下 {0} 个定位键、{1} 条撬缝、{2} 个螺栓孔和 {3} 个嵌件槽。请减少数量或减小尺寸。</translation>
+        <translation>放不下 {0} 个定位销、{1} 条撬缝、{2} 个螺栓孔和 {3} 个嵌件槽。请减少数量或减小尺寸。</translation>
     </message>
     <message>
         <source>Measuring the steel was cancelled.</source>
@@ -2818,7 +2818,7 @@
     </message>
     <message>
         <source>Gate's width</source>
-        <translation>内浇口宽度</translation>
+        <translation>浇道口宽度</translation>
     </message>
     <message>
         <source>Where a channel in the parting plane meets the cavity.</source>
@@ -2838,7 +2838,7 @@
     </message>
     <message>
         <source>Of spouts, runners and gates; more where the directions ask for it.</source>
-        <translation>浇口、流道和内浇口;方向要求时更大。</translation>
+        <translation>浇口、流道和浇道口;方向要求时更大。</translation>
     </message>
     <message>
         <source>Vents' width</source>
@@ -2858,7 +2858,7 @@
     </message>
     <message>
         <source>Keys' width</source>
-        <translation>定位键宽度</translation>
+        <translation>定位销宽度</translation>
     </message>
     <message>
         <source>At the parting plane.</source>
@@ -2866,7 +2866,7 @@
     </message>
     <message>
         <source>Keys' height</source>
-        <translation>定位键高度</translation>
+        <translation>定位销高度</translation>
     </message>
     <message>
         <source>Over the parting plane.</source>
@@ -2874,11 +2874,11 @@
     </message>
     <message>
         <source>Keys' clearance</source>
-        <translation>定位键间隙</translation>
+        <translation>定位销间隙</translation>
     </message>
     <message>
         <source>Keys' draft</source>
-        <translation>定位键斜度</translation>
+        <translation>定位销斜度</translation>
     </message>
     <message>
         <source>Against both opening orders; more where the mold's draft is more.</source>
@@ -2894,7 +2894,7 @@
     </message>
     <message>
         <source>Slits' depth</source>
-        <translation>楔槽深度</translation>
+        <translation>撬模槽深度</translation>
     </message>
     <message>
         <source>Into the block.</source>
@@ -2902,7 +2902,7 @@
     </message>
     <message>
         <source>Slits' width</source>
-        <translation>楔槽宽度</translation>
+        <translation>撬模槽宽度</translation>
     </message>
     <message>
         <source>Along the block's face.</source>
@@ -2910,7 +2910,7 @@
     </message>
     <message>
         <source>Slits' height</source>
-        <translation>楔槽高度</translation>
+        <translation>撬模槽高度</translation>
     </message>
     <message>
         <source>In each half.</source>
@@ -2958,11 +2958,11 @@
     </message>
     <message>
         <source>Wells' width</source>
-        <translation>溢流井宽度</translation>
+        <translation>溢料井宽度</translation>
     </message>
     <message>
         <source>Of overflows in the parting plane.</source>
-        <translation>分型面内的溢流井。</translation>
+        <translation>分型面内的溢料井。</translation>
     </message>
     <message>
         <source>Channels' width</source>
@@ -2974,7 +2974,7 @@
     </message>
     <message>
         <source>Spouts, runners, gates</source>
-        <translation>浇口、流道、内浇口</translation>
+        <translation>浇口、流道、浇道口</translation>
     </message>
     <message>
         <source>Up while filled</source>
@@ -3009,7 +3009,7 @@
     </message>
     <message>
         <source>a gate</source>
-        <translation>内浇口</translation>
+        <translation>浇道口</translation>
     </message>
     <message>
         <source>spout %1</source>
@@ -6289,7 +6289,7 @@
     </message>
     <message>
         <source>Gate, width</source>
-        <translation>内浇口宽度</translation>
+        <translation>浇道口宽度</translation>
     </message>
     <message>
         <source>Channels, draft</source>
@@ -6469,7 +6469,7 @@
     </message>
     <message>
         <source>Gate</source>
-        <translation>内浇口</translation>
+        <translation>浇道口</translation>
     </message>
     <message>
         <source>Vent</source>
@@ -6501,7 +6501,7 @@
     </message>
     <message>
         <source>Overflow</source>
-        <translation>溢流井</translation>
+        <translation>溢料井</translation>
     </message>
     <message>
         <source>Insert pocket in both halves</source>
@@ -6525,7 +6525,7 @@
     </message>
     <message>
         <source>overflow</source>
-        <translation>溢流井</translation>
+        <translation>溢料井</translation>
     </message>
     <message>
         <source>overflow&apos;s channel</source>
@@ -6609,7 +6609,7 @@
     </message>
     <message>
         <source>gate</source>
-        <translation>内浇口</translation>
+        <translation>浇道口</translation>
     </message>
     <message>
         <source>vent</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "render/report_job.h"
 
+#include "language/core_words.h"
 #include "project/project_report.h"
 #include "render/report_pdf.h"
 #include "render/report_text.h"
@@ -52,8 +53,11 @@ Result<ReportAnswer> writeReport(const Job& job) {
     const Result<Evaluation> evaluation = evaluate(*project);
     if (!evaluation)
         return std::unexpected(evaluation.error());
-    const Phrases say(
-        [](const std::string& english) { return ReportText::tr(english.c_str()).toStdString(); });
+    // A word of the report may mean something else elsewhere: its own translation goes first.
+    const Phrases say([](const std::string& english) {
+        const std::string own = ReportText::tr(english.c_str()).toStdString();
+        return own != english ? own : inSpokenLanguage(english);
+    });
     const ReportData data =
         projectReport(*project, *evaluation, sha256(bytesOf(job.source)), reportDate(say), say);
     const QTemporaryDir folder;

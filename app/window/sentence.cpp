@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "window/sentence.h"
 
-#include <QCoreApplication>
+#include "language/core_words.h"
+
 #include <QRegularExpression>
 
 namespace moldwright {
 
 using namespace Qt::StringLiterals;
 
-const QStringList& sentenceContexts() {
-    static const QStringList contexts = {
-        u"exchange"_s, u"mesh"_s,     u"castability"_s, u"fill"_s,      u"pins"_s,   u"deformation"_s,
-        u"design"_s,   u"mold"_s,     u"report"_s,      u"project"_s,   u"Mold"_s,   u"Project"_s,
-        u"Report"_s,   u"Pictures"_s, u"Guides"_s,      u"Materials"_s, u"Presets"_s};
-    return contexts;
-}
-
 namespace {
-
-std::string translated(const std::string& english) {
-    for (const QString& context : sentenceContexts()) {
-        const QString text = QCoreApplication::translate(context.toLatin1().constData(), english.c_str());
-        if (text != QString::fromStdString(english))
-            return text.toStdString();
-    }
-    return english;
-}
 
 /// A number as it is set in print; anything else, such as a file's name, as it is.
 std::string withTrueMinus(const std::string& argument) {
@@ -38,19 +22,19 @@ std::string withTrueMinus(const std::string& argument) {
 } // namespace
 
 QString sentence(const Message& message) {
-    Message shown{translated(message.text), message.arguments};
+    Message shown{inSpokenLanguage(message.text), message.arguments};
     for (std::string& argument : shown.arguments)
         argument = withTrueMinus(argument);
     return QString::fromStdString(shown.english());
 }
 
 QString sentence(const std::string& english) {
-    return QString::fromStdString(translated(english));
+    return QString::fromStdString(inSpokenLanguage(english));
 }
 
 QString sentenceWithWords(Message message) {
     for (std::string& argument : message.arguments)
-        argument = translated(argument);
+        argument = inSpokenLanguage(argument);
     return sentence(message);
 }
 

@@ -4,12 +4,8 @@
 #include "base/result.h"
 
 #include <QString>
-#include <QStringList>
 
 namespace moldwright {
-
-/// The contexts that core's MW_TEXT sentences are marked with.
-[[nodiscard]] const QStringList& sentenceContexts();
 
 /// A core sentence in the user's language.
 [[nodiscard]] QString sentence(const Message& message);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Every sentence a person can meet is translated, wherever it comes from.
+#include "language/core_words.h"
 #include "materials/material_table.h"
 #include "support/folders.h"
 #include "window/action_table.h"

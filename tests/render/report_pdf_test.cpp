@@ -2,6 +2,7 @@
 // The picture program and the command `report`, by running the real programs without a display.
 #include "castability/certificate.h"
 #include "cli/run_program.h"
+#include "language/core_words.h"
 #include "language/spoken_language.h"
 #include "project/edits.h"
 #include "project/project_file.h"
@@ -203,6 +204,8 @@ TEST(ReportText, IsInTheLanguageThatIsSpoken) {
     EXPECT_EQ(render::ReportText::tr("Open items"), QStringLiteral("Open items"));
     {
         const SpokenLanguage german(QLocale(QStringLiteral("de")));
+        EXPECT_EQ(inSpokenLanguage("Chocolate"), "Schokolade") << "notes of materials and of the mold, too";
+        EXPECT_NE(inSpokenLanguage("Building the mold was cancelled."), "Building the mold was cancelled.");
         EXPECT_EQ(render::ReportText::tr("Open items"), QStringLiteral("Offene Punkte"));
     }
     const SpokenLanguage none(QLocale::c());
