@@ -167,7 +167,7 @@ Result<void> writeMoldOf(const DesignOptions& options, const DesignRequest& requ
     if (!mold->verified())
         return failure(ErrorCode::Internal, MW_TEXT("cli", "The mold could not be proved: {0}"),
                        {mold->problems.empty() ? mold->castCertificate.reason : mold->problems.front()});
-    return writeMold(*mold, std::filesystem::path(options.input).stem().string(), options.output);
+    return writeMold(*mold, std::filesystem::path(options.input).stem().string(), options.output, {}, task);
 }
 
 Result<void> writeReportOf(const std::filesystem::path& folder, const Session& session) {

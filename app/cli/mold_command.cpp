@@ -144,7 +144,8 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
         return std::unexpected(mold.error());
     std::ranges::transform(notes, std::inserter(mold->notes, mold->notes.begin()),
                            [](const std::string& note) { return Message{note, {}}; });
-    if (const Result<void> written = writeMold(*mold, namesOf(*tray), job.folder, formatsOf(job.also));
+    if (const Result<void> written =
+            writeMold(*mold, namesOf(*tray), job.folder, formatsOf(job.also), session.task());
         !written)
         return std::unexpected(written.error());
     session.task().progress(1, "Done");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/three_mf.h"
 
+#include "base/stop_point.h"
+
 // The flat C interface of lib3mf 1.8; the class interface of 2.x is not in Debian 12.
 #include <lib3mf/Model/COM/NMR_DLLInterfaces.h>
 
@@ -61,6 +63,9 @@ struct Bytes {
     std::size_t at = 0;
 
     static std::uint32_t write(const BYTE* data, std::uint32_t count, void* self) {
+        // Through lib3mf no exception passes: it fails, and its caller asks why.
+        if (const Task* task = StopScope::current(); task != nullptr && task->stopped())
+            return 1;
         Bytes& into = *static_cast<Bytes*>(self);
         into.bytes.resize(std::max(into.bytes.size(), into.at + count));
         std::copy_n(reinterpret_cast<const char*>(data), count,
@@ -94,11 +99,13 @@ Result<std::string> threeMfBytes(const std::string& title, const std::vector<Pla
     require(lib3mf_model_setunit(model, MODELUNIT_MILLIMETER), "set the unit");
     require(lib3mf_model_addmetadatautf8(model, "Title", title.c_str()), "set the title");
     for (const PlateItem& item : items) {
+        stopPoint();
         const Handle object = addMesh(model, item);
         placeOnPlate(model, object.get(), item.placement);
     }
     return written(model);
 } catch (const std::runtime_error& error) {
+    stopPoint();
     return failure(ErrorCode::Internal,
                    MW_TEXT("Mold", "The 3MF file could not be made: lib3mf failed to {0}."), {error.what()});
 }
