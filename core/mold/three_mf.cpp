@@ -63,9 +63,6 @@ struct Bytes {
     std::size_t at = 0;
 
     static std::uint32_t write(const BYTE* data, std::uint32_t count, void* self) {
-        // Through lib3mf no exception passes: it fails, and its caller asks why.
-        if (const Task* task = StopScope::current(); task != nullptr && task->stopped())
-            return 1;
         Bytes& into = *static_cast<Bytes*>(self);
         into.bytes.resize(std::max(into.bytes.size(), into.at + count));
         std::copy_n(reinterpret_cast<const char*>(data), count,
@@ -103,9 +100,11 @@ Result<std::string> threeMfBytes(const std::string& title, const std::vector<Pla
         const Handle object = addMesh(model, item);
         placeOnPlate(model, object.get(), item.placement);
     }
-    return written(model);
-} catch (const std::runtime_error& error) {
+    stopPoint(); // lib3mf itself cannot be stopped: where its file fails, its destructors end the program
+    std::string bytes = written(model);
     stopPoint();
+    return bytes;
+} catch (const std::runtime_error& error) {
     return failure(ErrorCode::Internal,
                    MW_TEXT("Mold", "The 3MF file could not be made: lib3mf failed to {0}."), {error.what()});
 }
