@@ -1871,6 +1871,10 @@
         <translation>Der Formenbau wurde abgebrochen.</translation>
     </message>
     <message>
+        <source>Writing the mold was cancelled.</source>
+        <translation>Das Schreiben der Form wurde abgebrochen.</translation>
+    </message>
+    <message>
         <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
         <translation>Die 3MF-Datei ließ sich nicht schreiben: lib3mf scheiterte an {0}.</translation>
     </message>
@@ -1897,6 +1901,10 @@
     <message>
         <source>The channels could not be joined to the cavity soundly at any of {0} nearby places. Another pour direction or gate width may help.</source>
         <translation>Die Kanäle ließen sich an keiner von {0} nahen Stellen fehlerfrei mit der Kavität verbinden. Eine andere Gießrichtung oder Anschnittbreite kann helfen.</translation>
+    </message>
+    <message>
+        <source>A gate {0} mm wide would be wider than the cavity where it is filled: there it is {1} mm wide.</source>
+        <translation>Ein Anschnitt von {0} mm Breite wäre breiter als die Kavität, wo sie gefüllt wird: Dort ist er {1} mm breit.</translation>
     </message>
     <message>
         <source>The way from a cavity&apos;s gate to the runner passes through another part of the cavity. Choose another pour direction.</source>
@@ -2061,6 +2069,10 @@
     <message>
         <source>The cavities do not fill at the same time: the ways to them are {0} to {1} mm long.</source>
         <translation>Die Kavitäten füllen sich nicht gleichzeitig: Die Wege zu ihnen sind {0} bis {1} mm lang.</translation>
+    </message>
+    <message>
+        <source>The spout stands at x = {0} mm, not where it was put: only from there all ways to the cavities are of one length. It can be moved where rows have the shortest runners.</source>
+        <translation>Der Anguss steht bei x = {0} mm, nicht wo er hingesetzt wurde: Nur von dort sind alle Wege zu den Kavitäten gleich lang. Versetzen lässt er sich bei Reihen mit den kürzesten Verteilerkanälen.</translation>
     </message>
     <message>
         <source>Its walls lean up to {0}°: with less it would hold when one half is opened first.</source>
@@ -6438,6 +6450,14 @@
     <message>
         <source>clearance {0}</source>
         <translation>Spiel {0}</translation>
+    </message>
+    <message>
+        <source>Way from the spout to each cavity</source>
+        <translation>Weg vom Anguss zu jeder Kavität</translation>
+    </message>
+    <message>
+        <source>equally long, {0}</source>
+        <translation>gleich lang, {0}</translation>
     </message>
     <message>
         <source>neck ⌀ {0}</source>

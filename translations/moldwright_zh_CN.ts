@@ -1871,6 +1871,10 @@
         <translation>模具的构建已取消。</translation>
     </message>
     <message>
+        <source>Writing the mold was cancelled.</source>
+        <translation>模具的写出已取消。</translation>
+    </message>
+    <message>
         <source>The 3MF file could not be made: lib3mf failed to {0}.</source>
         <translation>无法生成 3MF 文件：lib3mf 未能 {0}。</translation>
     </message>
@@ -1897,6 +1901,10 @@
     <message>
         <source>The channels could not be joined to the cavity soundly at any of {0} nearby places. Another pour direction or gate width may help.</source>
         <translation>在附近 {0} 个位置都无法把通道与型腔可靠地连接。换一个浇注方向或浇口宽度可能有用。</translation>
+    </message>
+    <message>
+        <source>A gate {0} mm wide would be wider than the cavity where it is filled: there it is {1} mm wide.</source>
+        <translation>宽 {0} 毫米的内浇口会比充填处的型腔更宽：该处内浇口宽 {1} 毫米。</translation>
     </message>
     <message>
         <source>The way from a cavity&apos;s gate to the runner passes through another part of the cavity. Choose another pour direction.</source>
@@ -2061,6 +2069,10 @@
     <message>
         <source>The cavities do not fill at the same time: the ways to them are {0} to {1} mm long.</source>
         <translation>各型腔不会同时充满：到它们的流程长 {0} 至 {1} 毫米。</translation>
+    </message>
+    <message>
+        <source>The spout stands at x = {0} mm, not where it was put: only from there all ways to the cavities are of one length. It can be moved where rows have the shortest runners.</source>
+        <translation>浇口位于 x = {0} 毫米处，而不在手动放置的位置：只有从该处到各型腔的流程才等长。采用最短流道的成排布局中可以移动它。</translation>
     </message>
     <message>
         <source>Its walls lean up to {0}°: with less it would hold when one half is opened first.</source>
@@ -6438,6 +6450,14 @@
     <message>
         <source>clearance {0}</source>
         <translation>间隙 {0}</translation>
+    </message>
+    <message>
+        <source>Way from the spout to each cavity</source>
+        <translation>从浇口到各型腔的流程</translation>
+    </message>
+    <message>
+        <source>equally long, {0}</source>
+        <translation>等长，{0}</translation>
     </message>
     <message>
         <source>neck ⌀ {0}</source>

@@ -175,7 +175,7 @@ Result<void> writeMoldOf(const DesignOptions& options, const DesignRequest& requ
     if (!mold->verified())
         return failure(ErrorCode::Internal, MW_TEXT("cli", "The mold could not be proved: {0}"),
                        {mold->problems.empty() ? mold->castCertificate.reason : mold->problems.front()});
-    return writeMold(*mold, options.partName(), options.output);
+    return writeMold(*mold, options.partName(), options.output, {}, task);
 }
 
 Result<void> writeReportOf(const std::filesystem::path& folder, const Session& session) {

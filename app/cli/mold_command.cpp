@@ -92,7 +92,8 @@ Result<ExitCode> build(const MoldJob& job, const Session& session) {
         buildMold(*tray, project.cast->draftDegrees, *settings, session.task().part(0.1, 0.9));
     if (!mold)
         return std::unexpected(mold.error());
-    if (const Result<void> written = writeMold(*mold, namesOf(*tray), job.folder, formatsOf(job.also));
+    if (const Result<void> written =
+            writeMold(*mold, namesOf(*tray), job.folder, formatsOf(job.also), session.task());
         !written)
         return std::unexpected(written.error());
     session.task().progress(1, "Done");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "base/parallel.h"
 
+#include "base/stop_point.h"
+
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -33,13 +35,20 @@ int threadCount() {
 void parallelFor(std::size_t count, std::size_t grain,
                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
     const std::size_t blocks = (count + grain - 1) / grain;
+    const auto run = [&](std::size_t b) {
+        stopPoint();
+        body(b * grain, std::min(count, (b + 1) * grain));
+    };
     if (blocks <= 1 || threadCount() == 1) {
         for (std::size_t b = 0; b < blocks; ++b)
-            body(b * grain, std::min(count, (b + 1) * grain));
+            run(b);
         return;
     }
-    tbb::parallel_for(std::size_t{0}, blocks,
-                      [&](std::size_t b) { body(b * grain, std::min(count, (b + 1) * grain)); });
+    const Task* task = StopScope::current();
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
+        const StopScope scope(task);
+        run(b);
+    });
 }
 
 void parallelInvoke(const std::vector<std::function<void()>>& tasks) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "castability/certificate.h"
 
+#include "base/stop_point.h"
 #include "castability/exact_predicates.h"
 #include "castability/parting_curves.h"
 #include "mesh/check.h"
@@ -21,6 +22,7 @@ std::vector<int> facesBelowDraft(const IndexedMesh& cast, const SideLabels& labe
     const double tau = provableTolerance(draft);
     std::vector<int> below;
     for (int f = 0; f < cast.faceCount(); ++f) {
+        stopPointAt(f);
         const int side = labels[static_cast<std::size_t>(f)];
         const bool leaves = side != 0 && leavesAlong(cast.corner(f, 0), cast.corner(f, 1), cast.corner(f, 2),
                                                      d.of(side), tau);
@@ -35,6 +37,7 @@ std::vector<int> facesBelowDraft(const IndexedMesh& cast, const SideLabels& labe
 double worstDraft(const IndexedMesh& cast, const SideLabels& labels, const Directions& directions) {
     double worst = 90;
     for (int f = 0; f < cast.faceCount(); ++f) {
+        stopPointAt(f);
         const Vector3d c = accurateAreaVector(cast.corner(f, 0), cast.corner(f, 1), cast.corner(f, 2));
         for (const int side : {1, 2}) {
             const int label = labels[static_cast<std::size_t>(f)];
@@ -52,13 +55,15 @@ double worstDraft(const IndexedMesh& cast, const SideLabels& labels, const Direc
 /// No point of a face on the wrong side, every curve point on the plane.
 bool facesKeepTheirSide(const IndexedMesh& cast, const SideLabels& labels, const PartingPlane& plane) {
     const double tolerance = onPlaneTolerance(cast);
-    for (int f = 0; f < cast.faceCount(); ++f)
+    for (int f = 0; f < cast.faceCount(); ++f) {
+        stopPointAt(f);
         for (int k = 0; k < 3; ++k) {
             const double height = plane.distance(cast.corner(f, k));
             const int side = labels[static_cast<std::size_t>(f)];
             if ((side != 2 && height < -tolerance) || (side != 1 && height > tolerance))
                 return false;
         }
+    }
     return true;
 }
 
@@ -128,6 +133,7 @@ SideLabels labelSides(const IndexedMesh& cast, const PartingPlane& plane) {
     const double tolerance = onPlaneTolerance(cast);
     SideLabels labels(static_cast<std::size_t>(cast.faceCount()), 0);
     for (int f = 0; f < cast.faceCount(); ++f) {
+        stopPointAt(f);
         bool above = false;
         bool below = false;
         for (int k = 0; k < 3; ++k) {

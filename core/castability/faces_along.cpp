@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "castability/faces_along.h"
 
+#include "base/stop_point.h"
 #include "castability/mold_state.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace moldwright {
 
@@ -26,6 +28,7 @@ FacesAlong::FacesAlong(const IndexedMesh& mesh, const std::vector<int>& faces, c
     std::vector<int> seen;
     Eigen::AlignedBox2d box;
     for (const int f : faces) {
+        stopPointAt(f);
         if (doubleAreaVector(mesh, f).dot(d) == 0)
             continue;
         seen.push_back(f);
@@ -40,17 +43,30 @@ FacesAlong::FacesAlong(const IndexedMesh& mesh, const std::vector<int>& faces, c
     m_cell = std::max({std::sqrt(perFace), size.maxCoeff() / 1000, 1e-300});
     m_columns = static_cast<int>(size.x() / m_cell) + 1;
     m_rows = static_cast<int>(size.y() / m_cell) + 1;
-    m_cells.resize(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows));
-    for (const int f : seen) {
+    sortIntoCells(seen);
+}
+
+/// Counted first, then filled: one list for all cells is made and given back at once.
+void FacesAlong::sortIntoCells(const std::vector<int>& seen) {
+    const auto forCellsOf = [&](int f, const auto& found) {
+        stopPointAt(f);
         Eigen::AlignedBox2d reach;
         for (int k = 0; k < 3; ++k)
-            reach.extend(Eigen::Vector2d(m_axes * mesh.corner(f, k)));
+            reach.extend(Eigen::Vector2d(m_axes * m_mesh.corner(f, k)));
         const auto [i0, j0] = cellOf(reach.min());
         const auto [i1, j1] = cellOf(reach.max());
         for (int j = j0; j <= j1; ++j)
             for (int i = i0; i <= i1; ++i)
-                m_cells[static_cast<std::size_t>(j * m_columns + i)].push_back(f);
-    }
+                found(static_cast<std::size_t>(j * m_columns + i));
+    };
+    m_first.assign(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows) + 1, 0);
+    for (const int f : seen)
+        forCellsOf(f, [&](std::size_t cell) { ++m_first[cell + 1]; });
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_faces.resize(m_first.back());
+    std::vector<std::size_t> next = m_first;
+    for (const int f : seen)
+        forCellsOf(f, [&](std::size_t cell) { m_faces[next[cell]++] = f; });
 }
 
 std::array<int, 2> FacesAlong::cellOf(const Eigen::Vector2d& q) const {
@@ -63,7 +79,9 @@ void FacesAlong::crossings(const Eigen::Vector3d& p, std::vector<Crossing>& foun
     found.clear();
     const Eigen::Vector2d q = m_axes * p;
     const auto [i, j] = cellOf(q);
-    for (const int f : m_cells[static_cast<std::size_t>(j * m_columns + i)]) {
+    const auto cell = static_cast<std::size_t>(j * m_columns + i);
+    for (std::size_t at = m_first[cell]; at < m_first[cell + 1]; ++at) {
+        const int f = m_faces[at];
         std::array<Eigen::Vector2d, 3> c;
         for (int k = 0; k < 3; ++k)
             c[static_cast<std::size_t>(k)] = m_axes * m_mesh.corner(f, k) - q;

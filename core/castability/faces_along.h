@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace moldwright {
@@ -30,6 +31,7 @@ public:
 
 private:
     [[nodiscard]] std::array<int, 2> cellOf(const Eigen::Vector2d& q) const;
+    void sortIntoCells(const std::vector<int>& seen);
 
     const IndexedMesh& m_mesh;
     Eigen::Vector3d m_d;
@@ -38,7 +40,8 @@ private:
     double m_cell = 1;
     int m_columns = 1;
     int m_rows = 1;
-    std::vector<std::vector<int>> m_cells;
+    std::vector<std::size_t> m_first; ///< by cell, and one more: where its faces begin
+    std::vector<int> m_faces;         ///< of all cells, one after the other
 };
 
 } // namespace moldwright

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "castability/float_rounding.h"
 
+#include "base/stop_point.h"
 #include "castability/certificate.h"
 #include "castability/exact_predicates.h"
 
@@ -84,9 +85,11 @@ private:
 IndexedMesh roundKeepingDraft(const IndexedMesh& mesh, const SideLabels& labels, const Directions& directions,
                               double draftDegrees, double grid) {
     Rounding rounding(mesh, labels, directions, provableTolerance(draftDegrees), grid);
-    for (int f = 0; f < mesh.faceCount(); ++f)
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         if (!rounding.passes(f))
             rounding.mend(f);
+    }
     return rounding.result();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "castability/overhang.h"
 
+#include "base/stop_point.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
@@ -10,7 +11,10 @@ namespace moldwright {
 namespace {
 
 std::vector<int> lookingAlong(const IndexedMesh& mesh, std::vector<int> faces, const Eigen::Vector3d& d) {
-    std::erase_if(faces, [&](int f) { return doubleAreaVector(mesh, f).dot(d) <= 0; });
+    std::erase_if(faces, [&](int f) {
+        stopPointAt(f);
+        return doubleAreaVector(mesh, f).dot(d) <= 0;
+    });
     return faces;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "castability/parting_curves.h"
 
+#include "base/stop_point.h"
 #include "castability/exact_predicates.h"
 
 #include <Eigen/Geometry>
@@ -104,6 +105,7 @@ bool imagesSimple(const View& view, const std::vector<Segment>& segments, double
               [&](std::size_t i, std::size_t j) { return boxes[i].min().x() < boxes[j].min().x(); });
     std::vector<std::size_t> open;
     for (const std::size_t i : order) {
+        stopPointAt(static_cast<std::ptrdiff_t>(i));
         std::erase_if(open, [&](std::size_t j) { return boxes[j].max().x() < boxes[i].min().x(); });
         for (const std::size_t j : open)
             if (boxes[i].intersects(boxes[j]) && clash(view, segments[i], segments[j]))
@@ -128,17 +130,21 @@ int turningOf(const View& view, const PartingCurve& curve) {
 /// that can be on a parting curve.
 std::set<std::pair<int, int>> edgesAtBothSides(const IndexedMesh& cast, const SideLabels& labels, int label) {
     std::vector<std::uint8_t> sides(static_cast<std::size_t>(cast.vertexCount()), 0);
-    for (int f = 0; f < cast.faceCount(); ++f)
+    for (int f = 0; f < cast.faceCount(); ++f) {
+        stopPointAt(f);
         for (int k = 0; k < 3; ++k)
             sides[static_cast<std::size_t>(cast.F(f, k))] |= labels[static_cast<std::size_t>(f)];
+    }
     std::set<std::pair<int, int>> edges;
-    for (int f = 0; f < cast.faceCount(); ++f)
+    for (int f = 0; f < cast.faceCount(); ++f) {
+        stopPointAt(f);
         for (int k = 0; k < 3 && labels[static_cast<std::size_t>(f)] == label; ++k) {
             const int from = cast.F(f, k);
             const int to = cast.F(f, (k + 1) % 3);
             if (sides[static_cast<std::size_t>(from)] == 3 && sides[static_cast<std::size_t>(to)] == 3)
                 edges.emplace(from, to);
         }
+    }
     return edges;
 }
 
@@ -189,6 +195,7 @@ CurveNesting nestingAlong(const Points& V, const std::vector<PartingCurve>& curv
         return nesting;
     nesting.alternating = true;
     for (const PartingCurve& curve : curves) {
+        stopPoint();
         int depth = 0;
         for (const PartingCurve& other : curves)
             depth += &other != &curve && inside(view, curve.front(), other) ? 1 : 0;

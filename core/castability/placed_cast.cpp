@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "castability/placed_cast.h"
 
+#include "base/stop_point.h"
 #include "castability/certificate.h"
 #include "castability/float_rounding.h"
 
@@ -28,6 +29,7 @@ Isometry3d smallestFloor(const Points& V) {
     Isometry3d best = Isometry3d::Identity();
     double bestArea = std::numeric_limits<double>::infinity();
     for (int degree = 0; degree < 90; ++degree) {
+        stopPoint();
         Isometry3d turn = Isometry3d::Identity();
         turn.linear() = Eigen::AngleAxisd(radians(degree), Vector3d::UnitZ()).toRotationMatrix();
         const Vector3d size = boxOf(movedPoints(V, turn)).sizes();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "exchange/mesh_file.h"
 
+#include "base/stop_point.h"
+
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -58,12 +61,17 @@ public:
 
     [[nodiscard]] bool opened() const { return m_file >= 0; }
 
+    /// Onto the disk piece by piece: a long wait for all of it at the end could not be cancelled.
     [[nodiscard]] bool write(std::string_view bytes) const {
+        constexpr std::size_t piece = 8 << 20;
         while (!bytes.empty()) {
-            const ssize_t n = ::write(m_file, bytes.data(), bytes.size());
+            stopPoint();
+            const ssize_t n = ::write(m_file, bytes.data(), std::min(piece, bytes.size()));
             if (n < 0 && errno != EINTR)
                 return false;
             bytes.remove_prefix(n > 0 ? static_cast<std::size_t>(n) : 0);
+            if (!bytes.empty() && fdatasync(m_file) != 0)
+                return false;
         }
         return true;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "exchange/mesh_file.h"
 
+#include "base/stop_point.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
@@ -47,6 +48,7 @@ std::string stlBinary(const IndexedMesh& mesh) {
     out.resize(80, ' ');
     appendRaw(out, static_cast<std::uint32_t>(mesh.faceCount()));
     for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         const Eigen::Vector3f normal = unitNormal(mesh, f);
         out.append(reinterpret_cast<const char*>(normal.data()), 3 * sizeof(float));
         for (int k = 0; k < 3; ++k) {
@@ -61,6 +63,7 @@ std::string stlBinary(const IndexedMesh& mesh) {
 std::string stlText(const IndexedMesh& mesh) {
     std::string out = "solid Moldwright\n";
     for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         out += "facet normal";
         appendRow(out, unitNormal(mesh, f), 0.0F);
         out += "outer loop\n";
@@ -76,10 +79,12 @@ std::string stlText(const IndexedMesh& mesh) {
 std::string obj(const IndexedMesh& mesh) {
     std::string out = "# Moldwright\n";
     for (int v = 0; v < mesh.vertexCount(); ++v) {
+        stopPointAt(v);
         out += 'v';
         appendRow(out, mesh.V.row(v), 0.0);
     }
     for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         out += 'f';
         appendRow(out, mesh.F.row(f), 1);
     }
@@ -108,6 +113,7 @@ std::string ply(const IndexedMesh& mesh, const std::vector<std::uint8_t>& sides)
     out.append(reinterpret_cast<const char*>(mesh.V.data()),
                static_cast<std::size_t>(mesh.V.size()) * sizeof(double));
     for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         out += '\3';
         out.append(reinterpret_cast<const char*>(mesh.F.row(f).data()), 3 * sizeof(int));
         if (!sides.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "features/air_traps.h"
 
+#include "base/stop_point.h"
 #include "mesh/measures.h"
 
 #include <algorithm>
@@ -68,11 +69,14 @@ public:
           m_root(static_cast<std::size_t>(cast.vertexCount()), -1), m_drained(m_root.size(), false) {}
 
     std::vector<AirTrap> traps() {
+        stopPoint();
         std::vector<int> order(m_root.size());
         std::iota(order.begin(), order.end(), 0);
         std::sort(order.begin(), order.end(), [&](int a, int b) { return higher(a, b); });
-        for (const int v : order)
+        for (const int v : order) {
+            stopPointAt(v);
             reach(v);
+        }
         return std::move(m_traps);
     }
 
@@ -112,6 +116,7 @@ private:
         m_root[low] = a;
     }
     void note(int top, int at) {
+        stopPoint();
         AirTrap trap{top, m_height[at], 0, above(top, m_height[at])};
         std::vector<int> faces;
         for (const int v : trap.points)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "features/joined_channel.h"
 
+#include "base/stop_point.h"
 #include "castability/certificate.h"
 #include "castability/exact_predicates.h"
 #include "castability/float_rounding.h"
@@ -55,6 +56,7 @@ bool keepsDraft(const IndexedMesh& mesh, const SideLabels& labels, const JointRe
     const PointSet openings(request.openings);
     const double tau = provableTolerance(request.draftDegrees);
     for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         const int side = labels[static_cast<std::size_t>(f)];
         if (side == 0 && request.bores)
             continue;
@@ -93,9 +95,11 @@ IndexedMesh openedAt(const IndexedMesh& mesh, const std::vector<Vector3d>& point
     const PointSet set(points);
     IndexedMesh opened{mesh.V, Triangles(mesh.F.rows(), 3)};
     Eigen::Index kept = 0;
-    for (int f = 0; f < mesh.faceCount(); ++f)
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         if (!set.holdsFace(mesh, f))
             opened.F.row(kept++) = mesh.F.row(f);
+    }
     opened.F.conservativeResize(kept, 3);
     return withoutUnusedPoints(opened).mesh;
 }

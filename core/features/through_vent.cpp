@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "features/through_vent.h"
 
+#include "base/stop_point.h"
 #include "castability/overhang.h"
 #include "features/wall_slope.h"
 
@@ -121,7 +122,8 @@ std::optional<ThroughVent> throughVent(const IndexedMesh& cast, const SideLabels
     constexpr int steps = 16;
     // Nearest to the point first: what lies above the foot's highest point stays as a bubble.
     for (int step = request.quartersAway; step <= steps; ++step)
-        for (const Vector2d& way : waysFrom(up))
+        for (const Vector2d& way : waysFrom(up)) {
+            stopPoint();
             for (int level = 0; level < levels; ++level) {
                 const double foot = onGrid(top * (levels - level) / (levels + 1), request.grid);
                 const double radius = request.diameter / 2 + *wider * (request.end - foot) + 4 * request.grid;
@@ -136,6 +138,7 @@ std::optional<ThroughVent> throughVent(const IndexedMesh& cast, const SideLabels
                 vent->reach = inside.highest(circle, centre, foot, up);
                 return vent;
             }
+        }
     return std::nullopt;
 }
 

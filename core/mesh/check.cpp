@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/check.h"
 
+#include "base/stop_point.h"
 #include "mesh/edge_table.h"
 #include "mesh/measures.h"
 #include "mesh/nesting.h"
@@ -24,6 +25,7 @@ void judgeEdges(const IndexedMesh& mesh, const EdgeTable& edges, MeshDiagnosis& 
     std::vector<int> boundaryPoints;
     found.oriented = true;
     for (int e = 0; e < edges.edgeCount(); ++e) {
+        stopPointAt(e);
         const auto sides = edges.sidesAt(e);
         if (sides.size() == 2)
             found.oriented = found.oriented && sides[0].upward != sides[1].upward;
@@ -51,6 +53,7 @@ std::vector<int> pinchedPoints(const IndexedMesh& mesh, const EdgeTable& edges) 
         return 3 * f + (mesh.F(f, 0) == v ? 0 : mesh.F(f, 1) == v ? 1 : 2);
     };
     for (int e = 0; e < edges.edgeCount(); ++e) {
+        stopPointAt(e);
         const auto sides = edges.sidesAt(e);
         for (std::size_t i = 1; i < sides.size(); ++i)
             for (const int v : {sides[0].low, sides[0].high})
@@ -58,7 +61,8 @@ std::vector<int> pinchedPoints(const IndexedMesh& mesh, const EdgeTable& edges) 
     }
     std::vector<int> fanOf(static_cast<std::size_t>(mesh.vertexCount()), -1);
     std::vector<int> pinched;
-    for (int f = 0; f < mesh.faceCount(); ++f)
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         for (int k = 0; k < 3; ++k) {
             const int fan = corners.rootOf(3 * f + k);
             int& known = fanOf[static_cast<std::size_t>(mesh.F(f, k))];
@@ -66,6 +70,7 @@ std::vector<int> pinchedPoints(const IndexedMesh& mesh, const EdgeTable& edges) 
                 pinched.push_back(mesh.F(f, k));
             known = fan;
         }
+    }
     sortUnique(pinched);
     return pinched;
 }
@@ -84,9 +89,11 @@ int usedPoints(const IndexedMesh& mesh) {
 
 /// The faces that have three corners, and which faces of `mesh` they were.
 IndexedMesh properFaces(const IndexedMesh& mesh, std::vector<int>& origin) {
-    for (int f = 0; f < mesh.faceCount(); ++f)
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         if (!usesAPointTwice(mesh, f))
             origin.push_back(f);
+    }
     return {mesh.V, mesh.F(origin, Eigen::all)};
 }
 

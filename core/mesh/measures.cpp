@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/measures.h"
 
+#include "base/stop_point.h"
+
 #include <numeric>
 
 namespace moldwright {
@@ -24,9 +26,11 @@ double volume(const IndexedMesh& mesh) {
     // Relative to one of the points: far from the origin the products would cancel.
     const Eigen::Vector3d origin = mesh.corner(0, 0);
     double sum = 0;
-    for (int f = 0; f < mesh.faceCount(); ++f)
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         sum +=
             (mesh.corner(f, 0) - origin).dot((mesh.corner(f, 1) - origin).cross(mesh.corner(f, 2) - origin));
+    }
     return sum / 6;
 }
 
@@ -72,13 +76,16 @@ Eigen::Vector3d centroid(const IndexedMesh& mesh) {
 Components connectedComponents(const IndexedMesh& mesh) {
     std::vector<int> parent(static_cast<std::size_t>(mesh.vertexCount()));
     std::iota(parent.begin(), parent.end(), 0);
-    for (int f = 0; f < mesh.faceCount(); ++f)
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         for (int k = 1; k < 3; ++k)
             parent[static_cast<std::size_t>(findRoot(parent, mesh.F(f, k)))] = findRoot(parent, mesh.F(f, 0));
+    }
     Components result;
     result.ofFace.resize(static_cast<std::size_t>(mesh.faceCount()));
     std::vector<int> number(parent.size(), -1);
     for (int f = 0; f < mesh.faceCount(); ++f) {
+        stopPointAt(f);
         int& n = number[static_cast<std::size_t>(findRoot(parent, mesh.F(f, 0)))];
         if (n < 0)
             n = result.count++;

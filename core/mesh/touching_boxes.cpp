@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mesh/touching_boxes.h"
 
+#include "base/block_sort.h"
 #include "base/parallel.h"
+#include "base/stop_point.h"
 
 #include <Eigen/Geometry>
 
@@ -47,16 +49,20 @@ public:
         std::vector<Box> boxOf;
         boxOf.reserve(faces.size());
         for (const int f : faces) {
+            stopPointAt(f);
             boxOf.emplace_back(mesh.corner(f, 0));
             boxOf.back().extend(mesh.corner(f, 1)).extend(mesh.corner(f, 2));
             whole.extend(boxOf.back());
         }
         std::vector<std::pair<std::uint32_t, std::size_t>> order;
         order.reserve(faces.size());
-        for (std::size_t i = 0; i < faces.size(); ++i)
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            stopPointAt(static_cast<std::ptrdiff_t>(i));
             order.emplace_back(placeOnCurve(boxOf[i].center(), whole), i);
-        std::sort(order.begin(), order.end());
+        }
+        sortInBlocks(order);
         for (const auto& [place, i] : order) {
+            stopPointAt(static_cast<std::ptrdiff_t>(i));
             m_faces.push_back(faces[i]);
             m_boxes.push_back(boxOf[i]);
         }

@@ -13,6 +13,21 @@ using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+namespace {
+
+/// A gate from its end in the cavity to the parting line, and as far beyond; in the kind's coordinates.
+PlanShape gateFoot(const CavityKind& kind, const Gate& gate) {
+    const Vector2d tip = kind.fromInlet(gate.tip);
+    const double half = gate.width * (0.5 + (jointAttempts - 1) * jointNudge);
+    PlanShape foot =
+        planRectangle({tip.x() - half, tip.y() - 1.3 * gate.drop}, {tip.x() + half, tip.y() + gate.drop});
+    for (Vector2d& p : foot)
+        p = kind.toInlet(p);
+    return foot;
+}
+
+} // namespace
+
 std::vector<MoldBuilder::OutwardHole> MoldBuilder::outwardHoles(const CavityCopy& copy) const {
     std::vector<OutwardHole> holes;
     const Vector3d by(copy.offset.x(), copy.offset.y(), 0);
@@ -61,11 +76,16 @@ void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const 
     const auto addUpwards = [&](const Vector2d& from, double half) {
         obstacles.push_back(planRectangle({from.x() - half, from.y()}, {from.x() + half, faceY}));
     };
+    // Where a cavity is pointed, the foot of its gate stands out on both sides.
+    for (const CavityCopy& copy : m_layout.copies)
+        for (const Gate& gate : (*m_entries)[copy.kind].gates)
+            obstacles.push_back(movedPlan(gateFoot(kinds()[copy.kind], gate), copy.offset));
     const double funnel = widestOfSpout() / 2;
+    const double nudged = (jointAttempts - 1) * jointNudge * m_widths.gate; // it may be joined so far aside
     if (spoutEach())
         for (const CavityCopy& copy : m_layout.copies) {
             for (const Gate& gate : (*m_entries)[copy.kind].gates)
-                addUpwards(gate.tip + copy.offset, funnel);
+                addUpwards(gate.tip + copy.offset, funnel + nudged);
             for (const VentedTrap& vented : (*m_entries)[copy.kind].traps)
                 addUpwards(vented.top.head<2>() + copy.offset, m_mold.settings.vents.diameter);
         }
@@ -138,12 +158,15 @@ void MoldBuilder::addChannelContent(BlockContent& content, double wallY) const {
     const double tail = m_end.face - m_end.line;
     if (spoutEach()) {
         const double half = widestOfSpout() / 2;
+        double narrowest = widths.gate;
         for (const CavityCopy& copy : m_layout.copies)
-            for (const Gate& gate : (*m_entries)[copy.kind].gates)
+            for (const Gate& gate : (*m_entries)[copy.kind].gates) {
+                narrowest = std::min(narrowest, gate.width);
                 for (const double way : {-half, half})
                     content.cavities.extend(Vector3d(gate.tip.x() + copy.offset.x() + way, 0, 0));
+            }
         content.spoutTop = content.cavities.max().y() + m_mold.settings.layout.spacing / 2 +
-                           spoutLength(spout(), widths.gate, widths.straight()) + tail;
+                           spoutLength(spout(), narrowest, widths.straight()) + tail;
     } else if (star()) {
         const double bottom =
             m_layout.hub.y() + starHub(static_cast<int>(m_layout.arms.size()), widths.runner, widths.main);

@@ -16,8 +16,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int attempts = 10;
-
 IndexedMesh inOne(const std::vector<IndexedMesh>& bodies) {
     IndexedMesh all;
     for (const IndexedMesh& body : bodies) {
@@ -55,7 +53,7 @@ public:
     }
 
     Result<JoinedCavity> joined() {
-        for (int attempt = 0; attempt < attempts; ++attempt) {
+        for (int attempt = 0; attempt < jointAttempts; ++attempt) {
             if (Result<JoinedCavity> cavity = planned(attempt); !cavity)
                 return cavity;
             if (joinAll())
@@ -66,7 +64,7 @@ public:
         error.message = {
             MW_TEXT("Mold", "The channels could not be joined to the cavity soundly at any of {0} nearby "
                             "places. Another pour direction or gate width may help."),
-            {std::to_string(attempts)}};
+            {std::to_string(jointAttempts)}};
         for (const Gate& gate : m_features.gates)
             error.places.push_back(m_kind.cast.point(gate.point));
         return std::unexpected(error);
@@ -74,12 +72,12 @@ public:
 
 private:
     [[nodiscard]] double nudged(double value, double width) const {
-        return value + width * 0.011 * (m_nudge % 2 == 0 ? m_nudge : -m_nudge);
+        return value + width * jointNudge * (m_nudge % 2 == 0 ? m_nudge : -m_nudge);
     }
 
     /// Found as if the inlet were +y, and turned back.
     Result<void> addGate(const Gate& gate) {
-        const double width = m_plan.widths.gate * (1 - 0.013 * m_nudge);
+        const double width = gate.width * (1 - 0.013 * m_nudge);
         const Vector2d tip = m_kind.fromInlet(gate.tip);
         const double axis = nudged(tip.x(), width);
         const double bottom = tip.y() - gate.drop * (1 + 0.03 * m_nudge);
@@ -100,7 +98,7 @@ private:
             p = m_kind.toInlet(p);
         return add(std::move(shape),
                    heightOverWidth * (m_plan.spout ? m_plan.settings->spout.diameter : width),
-                   {{}, m_plan.spout ? "Spout" : "Gate", false, gate.number, gate.tip});
+                   {{}, m_plan.spout ? "Spout" : "Gate", false, gate.number, gate.tip, width});
     }
 
     /// Whether a channel keeps clear of all outlines from `above` on, the inlet being +y.
@@ -212,7 +210,7 @@ private:
         if (!wayIsFree(shape, exit + 0.3) || !(vented.byHand || keepsClear(shape)))
             return false;
         const double height = vents.depth > 0 ? vents.depth / sidesOfChannels() : heightOverWidth * width;
-        if (!add(std::move(shape), height, {{}, "Vent", true, vented.number, *tip}))
+        if (!add(std::move(shape), height, {{}, "Vent", true, vented.number, *tip, width}))
             return false;
         if (left > vents.smallestTrap)
             m_result.remaining.push_back({m_kind.cast.point(vented.trap.point), left});
@@ -242,8 +240,26 @@ private:
                });
     }
 
+    /// A vent through a half, and the place of the cavity that it lets the air out of.
+    struct FoundVent {
+        ThroughVent vent;
+        Vector3d top;
+    };
+
     bool ventThrough(const VentedTrap& vented) {
-        const Vector3d& top = vented.top;
+        std::optional<FoundVent> found = throughFrom(vented.top);
+        if (!vented.byHand && (!found || !keepsClear(found->vent.body.base)))
+            found = throughBeside(vented);
+        if (!found)
+            return false;
+        const double left = airAbove(m_kind.cast, m_plan.up, vented.trap, found->vent.reach);
+        if (left > m_plan.settings->vents.smallestTrap)
+            m_result.remaining.push_back({vented.top, left});
+        m_result.vents.push_back({std::move(found->vent), vented.number, found->top.head<2>()});
+        return true;
+    }
+
+    [[nodiscard]] std::optional<FoundVent> throughFrom(const Vector3d& top) const {
         const int side = top.z() >= 0 ? 1 : 2;
         ThroughVentRequest request;
         request.diameter = m_plan.settings->vents.diameter * (1 + 0.02 * m_nudge);
@@ -253,15 +269,39 @@ private:
         request.grid = m_plan.rules.grid;
         // Where joints near the high points come out unsound, a radius beside them they hardly do.
         request.quartersAway = m_nudge > 4 ? 4 : 0;
-        std::optional<ThroughVent> found =
+        std::optional<ThroughVent> vent =
             throughVent(m_kind.cast, m_kind.labels, m_plan.rules.directions, side, top, m_plan.up, request);
-        if (!found || !(vented.byHand || keepsClear(found->body.base)))
-            return false;
-        const double left = airAbove(m_kind.cast, m_plan.up, vented.trap, found->reach);
-        if (left > m_plan.settings->vents.smallestTrap)
-            m_result.remaining.push_back({top, left});
-        m_result.vents.push_back({*std::move(found), vented.number, top.head<2>()});
-        return true;
+        return vent ? std::optional(FoundVent{*std::move(vent), top}) : std::nullopt;
+    }
+
+    /// Where the trap's highest place is taken, as beside a spout: the highest of its other places from which
+    /// a vent keeps clear and lets some of the air out.
+    [[nodiscard]] std::optional<FoundVent> throughBeside(const VentedTrap& vented) const {
+        constexpr std::size_t most = 24; // a diameter apart
+        const IndexedMesh& cast = m_kind.cast;
+        const double diameter = m_plan.settings->vents.diameter;
+        std::vector<std::pair<double, int>> downwards;
+        for (const int v : vented.trap.points)
+            downwards.emplace_back(-cast.point(v).dot(m_plan.up), v);
+        std::sort(downwards.begin(), downwards.end());
+        std::vector<Vector2d> tried{vented.top.head<2>()};
+        for (const auto& [depth, v] : downwards) {
+            const Vector3d p = cast.point(v);
+            const Vector2d place = p.head<2>();
+            const bool near = std::any_of(tried.begin(), tried.end(), [&](const Vector2d& other) {
+                return (other - place).norm() < diameter;
+            });
+            if (near || !keepsClear(planCircle(place, diameter / 2, circleCorners)))
+                continue;
+            if (tried.size() > most)
+                break;
+            tried.push_back(place);
+            std::optional<FoundVent> found = throughFrom(p);
+            if (found && keepsClear(found->vent.body.base) &&
+                airAbove(cast, m_plan.up, vented.trap, found->vent.reach) < vented.trap.volume)
+                return found;
+        }
+        return std::nullopt;
     }
 
     void addBore(HalfBore bore) {

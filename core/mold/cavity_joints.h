@@ -95,6 +95,10 @@ struct JointPlan {
 [[nodiscard]] Result<JoinedCavity> plannedCavity(const CavityKind& kind, const CavityFeatures& features,
                                                  const JointPlan& plan);
 
+/// How often a joint is tried, and how far aside each time, of the channel's width.
+inline constexpr int jointAttempts = 10;
+inline constexpr double jointNudge = 0.011;
+
 /// Gates, vents and bores of one kind, joined to it exactly. Where rounding spoils a joint the channel is
 /// moved by hundredths of its width and joined again. Errors: as plannedCavity(), and Impossible when that
 /// never helps.

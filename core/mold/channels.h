@@ -53,6 +53,7 @@ struct Stub {
     bool vent = false;
     int number = 0;                                ///< among gates or vents, from 0
     Eigen::Vector2d tip = Eigen::Vector2d::Zero(); ///< where its axis meets the parting line, mm
+    double width = 0;                              ///< mm, where it meets it
 };
 
 /// A channel of the mold and what opens into it.

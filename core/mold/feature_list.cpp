@@ -102,6 +102,8 @@ void MoldBuilder::listStubs(const CavityCopy& copy) {
                             middleOf(stub.prism) + by,
                             sizesOf(stub.prism),
                             {}};
+        if (feature.kind == "gate")
+            feature.numbers.emplace_back("width", stub.width);
         if (stub.vent)
             addPlaceable(std::move(feature), {Placeable::Vent, stub.number, stub.tip},
                          movedPlan(stub.prism.base, copy.offset), copy.offset);

@@ -35,6 +35,40 @@ std::optional<double> dropInside(const PlanShape& outline, const Vector2d& tip, 
     return std::nullopt;
 }
 
+/// How wide the outline is at a height, where a channel `width` mm wide about an axis meets it; 0 where it
+/// does not.
+double roomAt(const PlanShape& outline, const Vector2d& p, double width) {
+    std::vector<double> crossings;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vector2d& a = outline[k];
+        const Vector2d& b = outline[(k + 1) % outline.size()];
+        if ((a.y() > p.y()) != (b.y() > p.y()))
+            crossings.push_back(a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    double room = 0;
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+        if (crossings[k] < p.x() + width / 2 && crossings[k + 1] > p.x() - width / 2)
+            room = std::max(room, crossings[k + 1] - crossings[k]);
+    return room;
+}
+
+/// The width itself, or the widest channel that ends inside the outline where that is nowhere near the tip
+/// as wide: a gate round its cavity would reach what stands beside it, and could not be broken off.
+double fittingWidth(const PlanShape& outline, const Vector2d& tip, double width) {
+    constexpr int steps = 40;
+    constexpr double narrower = 0.85; // steel stays on both sides of it
+    double room = 0;
+    for (int step = 1; step <= steps && room < width; ++step)
+        room = std::max(room, roomAt(outline, tip - Vector2d(0, 2 * width * step / steps), width));
+    if (room >= width)
+        return width;
+    for (int step = steps; step > steps / 3; --step)
+        if (const double fits = narrower * room * step / steps; dropInside(outline, tip, fits))
+            return fits;
+    return narrower * room;
+}
+
 /// Where a curve is highest over x: the point between its corners, and the corner nearest to it.
 std::optional<std::pair<Vector2d, int>> highestOver(const CavityOutline& outline, double x) {
     std::optional<std::pair<Vector2d, int>> highest;
@@ -110,7 +144,8 @@ std::vector<Gate> gatesOf(const std::vector<CavityOutline>& outlines, double wid
     }
     std::vector<Gate> gates;
     for (auto& [number, gate] : highest) {
-        gate.drop = dropInside(gate.outline, gate.tip, width).value_or(width);
+        gate.width = fittingWidth(gate.outline, gate.tip, width);
+        gate.drop = dropInside(gate.outline, gate.tip, gate.width).value_or(gate.width);
         gate.exit = gate.tip.y();
         gates.push_back(std::move(gate));
     }
@@ -132,11 +167,12 @@ Result<Gate> gateAt(const std::vector<CavityOutline>& outlines, int gate, double
         }
         const auto over = highestOver(*outline, x);
         if (over && (found.point < 0 || over->first.y() > found.tip.y()))
-            found = {over->second, over->first, outline->shape, 0, 0};
+            found = {over->second, over->first, outline->shape, 0, 0, 0, width};
     }
     std::optional<double> drop;
     if (found.point >= 0) {
-        drop = dropInside(found.outline, found.tip, width);
+        found.width = fittingWidth(found.outline, found.tip, width);
+        drop = dropInside(found.outline, found.tip, found.width);
         found.exit = exitOf(found.outline, x, width, found.tip.y());
     }
     constexpr double steepest = 1.5; // widths that a slanting outline may rise within the channel

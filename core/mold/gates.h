@@ -26,13 +26,14 @@ struct Gate {
     int point = -1;                                ///< of the cast: the one at the tip, or the nearest
     Eigen::Vector2d tip = Eigen::Vector2d::Zero(); ///< where its axis meets the outline, mm
     PlanShape outline;                             ///< the parting curve that the tip lies on
-    double drop = 0; ///< mm below the tip at which a channel as wide as asked for lies inside the outline
-    double exit = 0; ///< y above which it lies outside
-    int number = 0;  ///< of the kind's, or of all spouts where gates are spouts
+    double drop = 0;  ///< mm below the tip at which a channel as wide as asked for lies inside the outline
+    double exit = 0;  ///< y above which it lies outside
+    int number = 0;   ///< of the kind's, or of all spouts where gates are spouts
+    double width = 0; ///< mm, of the channel: as wide as asked for, or as the cavity has room there
 };
 
 /// The gates of a cavity, one for each of its solids, at the highest point of its parting line; `width` mm
-/// is the channel's.
+/// is the channel's, less where the cavity itself is not wider.
 [[nodiscard]] std::vector<Gate> gatesOf(const std::vector<CavityOutline>& outlines, double width);
 
 /// The gate of one solid (counted as gatesOf() does) with its axis at `x`. Errors: Impossible, with the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/half.h"
 
+#include "base/stop_point.h"
 #include "castability/certificate.h"
 #include "features/cgal/constrained_triangulation.h"
 #include "mesh/weld.h"
@@ -101,6 +102,7 @@ private:
     std::vector<Segments> borders() {
         std::vector<Segments> found(m_flats.size());
         for (const auto& [from, to] : m_open) {
+            stopPointAt(from);
             const Vector3d a = m_surface.point(from);
             const Vector3d b = m_surface.point(to);
             for (std::size_t i = 0; i < m_flats.size(); ++i)
@@ -145,6 +147,7 @@ private:
     }
 
     bool addFlat(const Flat& flat, const Segments& segments) {
+        stopPoint();
         std::map<int, int> numberOf;
         std::vector<int> used;
         std::vector<Vector2d> points;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 
 namespace moldwright {
 
@@ -109,20 +111,22 @@ public:
 
     Layout arranged() {
         const bool staggered = m_settings.arrangement == Arrangement::Staggered;
-        const double column = columnPitch();
-        m_shift = staggered ? upToSixteenth(column / 2) : 0;
-        const double row = rowPitch();
+        m_shift = staggered ? upToSixteenth(columnPitch() / 2) : 0;
         Layout layout;
         // With shifted rows the main runner has no straight way between columns.
         layout.mainColumn = staggered ? m_settings.columns : m_settings.columns / 2;
+        const bool packed = m_settings.arrangement == Arrangement::Packed;
+        const std::vector<double> columns =
+            packed ? packedColumns(layout.mainColumn) : evenColumns(layout.mainColumn);
+        const std::vector<double> rows = packed ? packedRows(columns) : evenRows();
         for (int r = 0; r < m_settings.rows; ++r)
             for (int c = 0; c < m_settings.columns; ++c) {
                 CavityCopy copy;
-                copy.kind = m_kindAt[layout.copies.size()];
+                copy.kind = kindAt(r, c);
                 copy.row = r;
                 copy.column = c;
-                copy.offset = {c * column + (r % 2) * m_shift + (c >= layout.mainColumn ? gap() : 0),
-                               r * row + m_lift[copy.kind]};
+                copy.offset = {columns[static_cast<std::size_t>(c)] + (r % 2) * m_shift,
+                               rows[static_cast<std::size_t>(r)] + m_lift[copy.kind]};
                 layout.copies.push_back(copy);
             }
         const double runner = upToSixteenth(m_box.max().y() + m_settings.spacing + m_room.row / 2);
@@ -134,6 +138,86 @@ public:
     }
 
 private:
+    [[nodiscard]] std::size_t kindAt(int row, int column) const {
+        return m_kindAt[static_cast<std::size_t>(row * m_settings.columns + column)];
+    }
+    [[nodiscard]] bool hasMainRunner() const {
+        return m_room.main > 0 && m_settings.rows * m_settings.columns > 1;
+    }
+
+    [[nodiscard]] std::vector<double> evenColumns(int mainColumn) const {
+        std::vector<double> places;
+        for (int c = 0; c < m_settings.columns; ++c)
+            places.push_back(c * columnPitch() + (c >= mainColumn ? gap() : 0));
+        return places;
+    }
+    [[nodiscard]] std::vector<double> evenRows() const {
+        std::vector<double> places;
+        for (int r = 0; r < m_settings.rows; ++r)
+            places.push_back(r * rowPitch());
+        return places;
+    }
+
+    /// Each column as near to those before it as what stands in its rows allows, but for the main runner.
+    [[nodiscard]] std::vector<double> packedColumns(int mainColumn) {
+        std::vector<double> places;
+        for (int c = 0; c < m_settings.columns; ++c) {
+            double place = 0;
+            for (int before = 0; before < c; ++before)
+                for (int r = 0; r < m_settings.rows; ++r)
+                    place = std::max(place, places[static_cast<std::size_t>(before)] +
+                                                pitch(kindAt(r, before), kindAt(r, c), Vector2d::UnitX(), 0));
+            if (c >= mainColumn && hasMainRunner())
+                for (int r = 0; r < m_settings.rows; ++r)
+                    place = std::max(place, upToSixteenth(rightBefore(mainColumn, places) + m_room.main +
+                                                          2 * m_settings.spacing -
+                                                          boxOf(m_hulls[kindAt(r, c)]).min().x()));
+            places.push_back(place);
+        }
+        return places;
+    }
+    /// How far the columns before one reach.
+    [[nodiscard]] double rightBefore(int column, const std::vector<double>& places) const {
+        double right = -std::numeric_limits<double>::infinity();
+        for (int c = 0; c < column; ++c)
+            for (int r = 0; r < m_settings.rows; ++r)
+                right = std::max(right, places[static_cast<std::size_t>(c)] +
+                                            boxOf(m_hulls[kindAt(r, c)]).max().x());
+        return column > 0 ? right : boxOf(m_hulls[kindAt(0, 0)]).min().x() - m_settings.spacing;
+    }
+    /// Each row as near to those below it as its cavities allow, or the runner between them.
+    [[nodiscard]] std::vector<double> packedRows(const std::vector<double>& columns) {
+        std::vector<double> places{0};
+        for (int r = 1; r < m_settings.rows; ++r) {
+            double place = places.back();
+            for (int c = 0; c < m_settings.columns; ++c) {
+                const std::size_t kind = kindAt(r, c);
+                if (m_room.row > 0)
+                    place = std::max(place, places.back() + upToSixteenth(m_box.max().y() + m_room.row +
+                                                                          2 * m_settings.spacing -
+                                                                          boxOf(m_hulls[kind]).min().y()));
+                for (int below = 0; below < r; ++below)
+                    for (int k = 0; k < m_settings.columns; ++k)
+                        place = std::max(place, places[static_cast<std::size_t>(below)] +
+                                                    pitch(kindAt(below, k), kind, Vector2d::UnitY(),
+                                                          columns[static_cast<std::size_t>(c)] -
+                                                              columns[static_cast<std::size_t>(k)]));
+            }
+            places.push_back(place);
+        }
+        return places;
+    }
+    /// Of kind `b` after kind `a` along an axis, with `aside` mm between them across it.
+    [[nodiscard]] double pitch(std::size_t a, std::size_t b, const Vector2d& way, double aside) {
+        const Vector2d across(way.y(), way.x());
+        const auto [known, isNew] = m_pitches.try_emplace({a, b, way.y(), aside}, 0.0);
+        const double reach = m_box.sizes().maxCoeff() + m_settings.spacing;
+        if (isNew && std::abs(aside) < reach)
+            known->second = pitchBetween(m_hulls[a], movedPlan(m_hulls[b], aside * across), way, reach,
+                                         m_settings.spacing);
+        return known->second;
+    }
+
     [[nodiscard]] double columnPitch() const {
         const double box = m_box.sizes().x() + m_settings.spacing;
         if (m_settings.arrangement == Arrangement::Grid)
@@ -160,7 +244,7 @@ private:
     }
     /// What the columns after the main runner stand further on.
     [[nodiscard]] double gap() const {
-        if (m_room.main <= 0 || m_settings.rows * m_settings.columns == 1)
+        if (!hasMainRunner())
             return 0;
         const double closer = m_box.sizes().x() + m_settings.spacing - columnPitch();
         return upToSixteenth(m_room.main + m_settings.spacing + closer);
@@ -168,13 +252,17 @@ private:
     /// Between the columns on both sides, or beside the first or last.
     [[nodiscard]] double mainAxis(const Layout& layout) const {
         const double beside = m_settings.spacing + m_room.main / 2;
-        if (layout.mainColumn == 0)
-            return upToSixteenth(gap() + m_box.min().x() - beside) - sixteenth;
-        double right = -std::numeric_limits<double>::infinity();
-        for (const CavityCopy& copy : layout.copies)
-            if (copy.column < layout.mainColumn)
-                right = std::max(right, copy.offset.x() + m_box.max().x());
-        return upToSixteenth(right + beside);
+        AlignedBox2d left;
+        AlignedBox2d right;
+        for (const CavityCopy& copy : layout.copies) {
+            const bool packed = m_settings.arrangement == Arrangement::Packed;
+            const AlignedBox2d box = packed ? boxOf(m_hulls[copy.kind]) : m_box;
+            (copy.column < layout.mainColumn ? left : right)
+                .extend(box.translated(Vector2d(copy.offset.x(), 0)));
+        }
+        if (left.isEmpty())
+            return upToSixteenth(right.min().x() - beside) - sixteenth;
+        return upToSixteenth(left.max().x() + beside);
     }
     void centre(Layout& layout) const {
         centreLayout(layout, m_kinds);
@@ -192,6 +280,7 @@ private:
     std::vector<double> m_lift;     ///< by kind, towards the runner
     std::vector<PlanShape> m_hulls; ///< by kind, lifted
     double m_shift = 0;
+    std::map<std::tuple<std::size_t, std::size_t, double, double>, double> m_pitches; ///< packed
 };
 
 } // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/mold.h"
 
+#include "base/stop_point.h"
 #include "mold/mold_builder.h"
 
 #include <array>
+#include <optional>
 
 namespace moldwright {
 
@@ -33,25 +35,34 @@ constexpr std::array stages = {
 };
 constexpr std::size_t untilBlock = 6;
 
-} // namespace
-
-Result<Mold> buildMold(const Tray& tray, double draftDegrees, const MoldSettings& settings,
-                       const Task& task) {
+Result<Mold> moldByStages(const Tray& tray, double draftDegrees, const MoldSettings& settings,
+                          const Task& task) {
     MoldBuilder builder(settings, draftDegrees);
     task.progress(0, "Place the cast");
     Result<void> done = builder.place(tray);
     for (const Stage& stage : stages) {
         if (!done)
             return std::unexpected(done.error());
-        if (task.stopped())
-            return failure(ErrorCode::Cancelled, MW_TEXT("Mold", "Building the mold was cancelled."));
+        stopPoint();
         task.progress(stage.at, stage.name);
         done = (builder.*stage.work)();
     }
     if (!done)
         return std::unexpected(done.error());
+    stopPoint();
     task.progress(1, "Prove the halves");
     return builder.mold();
+}
+
+} // namespace
+
+Result<Mold> buildMold(const Tray& tray, double draftDegrees, const MoldSettings& settings,
+                       const Task& task) {
+    std::optional<Result<Mold>> built =
+        unlessStopped(task, [&] { return moldByStages(tray, draftDegrees, settings, task); });
+    if (!built)
+        return failure(ErrorCode::Cancelled, MW_TEXT("Mold", "Building the mold was cancelled."));
+    return *std::move(built);
 }
 
 Result<Eigen::Vector3d> blockSize(const Tray& tray, double draftDegrees, const MoldSettings& settings) {

@@ -51,8 +51,10 @@ Result<void> MoldBuilder::layOut() {
     if (!layout)
         return std::unexpected(layout.error());
     m_layout = *std::move(layout);
-    if (const auto mouth = placeByHand(settings.placed, Placeable::Spout, 0); mouth && !single())
+    if (const auto mouth = placeByHand(settings.placed, Placeable::Spout, 0);
+        mouth && !single() && !inOnePrism())
         m_layout.mainAxis = mouth->x();
+    tellOfSpoutByHand();
     m_mold.cavities = static_cast<int>(m_layout.copies.size());
     for (std::size_t part = 0; part < m_mold.parts.size(); ++part) {
         const auto first = std::ranges::find(m_layout.copies, part,
@@ -136,7 +138,31 @@ Result<void> MoldBuilder::findEntries() {
     if (!entries)
         return std::unexpected(entries.error());
     m_entries = std::make_shared<const std::vector<CavityFeatures>>(*std::move(entries));
+    tellOfNarrowGates();
     return {};
+}
+
+void MoldBuilder::tellOfNarrowGates() {
+    double narrowest = m_widths.gate;
+    for (const CavityFeatures& features : *m_entries)
+        for (const Gate& gate : features.gates)
+            narrowest = std::min(narrowest, gate.width);
+    if (narrowest < m_widths.gate)
+        m_mold.notes.push_back(
+            {MW_TEXT("Mold", "A gate {0} mm wide would be wider than the cavity where it is filled: there it "
+                             "is {1} mm wide."),
+             {readable(m_widths.gate, 3), readable(narrowest, 3)}});
+}
+
+/// All ways are of one length only from where the runners part.
+void MoldBuilder::tellOfSpoutByHand() {
+    if (!inOnePrism() || !inPlane() || !isByHand(Placeable::Spout, 0))
+        return;
+    m_mold.notes.push_back(
+        {MW_TEXT("Mold",
+                 "The spout stands at x = {0} mm, not where it was put: only from there all ways "
+                 "to the cavities are of one length. It can be moved where rows have the shortest runners."),
+         {readable(star() ? m_layout.hub.x() : m_layout.tree->at.x(), 3)}});
 }
 
 double MoldBuilder::endOfStubs(std::size_t kind) const {

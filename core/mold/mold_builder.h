@@ -141,6 +141,8 @@ private:
     Result<void> engrave();
     [[nodiscard]] Obstacles openingsInBack(int side) const;
     Result<void> addTails();
+    void tellOfNarrowGates();
+    void tellOfSpoutByHand();
     void addHalf(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids);
     void listFeatures();
     void listCavity(std::size_t number);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/mold_files.h"
 
+#include "base/stop_point.h"
 #include "exchange/mesh_file.h"
 #include "mesh/measures.h"
 #include "mold/drawing.h"
@@ -263,8 +264,11 @@ std::string moldJson(const Mold& mold) {
     return whole.dump(2) + "\n";
 }
 
-Result<void> writeMold(const Mold& mold, const std::string& partName, const std::filesystem::path& folder,
-                       const MoldFormats& also) {
+namespace {
+
+Result<void> writeFiles(const Mold& mold, const std::string& partName, const std::filesystem::path& folder,
+                        const MoldFormats& also) {
+    stopPoint();
     if (Result<void> done = makeFolder(folder); !done)
         return done;
     if (Result<void> done = writeMeshes(mold, folder, ".stl", MeshFormat::StlBinary); !done)
@@ -277,6 +281,15 @@ Result<void> writeMold(const Mold& mold, const std::string& partName, const std:
     if (Result<void> done = writeFileAtomically(folder / "mold.3mf", *threeMf); !done)
         return done;
     return writeFileAtomically(folder / "mold.json", moldJson(mold));
+}
+
+} // namespace
+
+Result<void> writeMold(const Mold& mold, const std::string& partName, const std::filesystem::path& folder,
+                       const MoldFormats& also, const Task& task) {
+    const auto written = unlessStopped(task, [&] { return writeFiles(mold, partName, folder, also); });
+    return written ? *written
+                   : failure(ErrorCode::Cancelled, MW_TEXT("Mold", "Writing the mold was cancelled."));
 }
 
 } // namespace moldwright

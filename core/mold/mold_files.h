@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.h"
+#include "base/task.h"
 #include "mold/mold.h"
 
 #include <filesystem>
@@ -19,9 +20,11 @@ struct MoldFormats {
 
 /// Writes mold-half-1.stl, mold-half-2.stl, mold-cast.stl (mold's frame), mold.3mf (halves and cast side by
 /// side on a plate, parting faces up) and mold.json into `folder`, which is made when missing. Each file
-/// appears whole or not at all. Errors: WriteFailed.
+/// appears whole or not at all. Errors: WriteFailed; Cancelled, which leaves the files that were whole by
+/// then.
 [[nodiscard]] Result<void> writeMold(const Mold& mold, const std::string& partName,
-                                     const std::filesystem::path& folder, const MoldFormats& also = {});
+                                     const std::filesystem::path& folder, const MoldFormats& also = {},
+                                     const Task& task = {});
 
 /// mold.json: what the mold is and what was proved of it. Keys are a contract of the command line; lengths in
 /// mm, volumes in mm³, areas in mm², force in kN, angles in degrees.

@@ -2,6 +2,7 @@
 #include "mold/mold_proof.h"
 
 #include "base/parallel.h"
+#include "base/stop_point.h"
 #include "castability/exact_predicates.h"
 #include "mold/release.h"
 
@@ -43,6 +44,7 @@ std::vector<std::string> problemsOfForm(const Mold& mold, const Block& block, in
     const double touching = onPlaneTolerance(half);
     int held = 0;
     for (int f = 0; f < half.faceCount(); ++f) {
+        stopPointAt(f);
         const std::array<Eigen::Vector3d, 3> p = {half.corner(f, 0), half.corner(f, 1), half.corner(f, 2)};
         if (block.wallWith(p, touching) == std::nullopt)
             continue;

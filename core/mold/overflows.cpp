@@ -258,7 +258,7 @@ private:
         }
         // Nothing of the solid's own outlines may lie over the channel.
         const Result<Gate> gate = gateAt(turned, 0, 0, width);
-        if (!gate || gate->tip.y() > width / 2)
+        if (!gate || gate->width < width || gate->tip.y() > width / 2)
             return std::nullopt;
         overflow.drop = gate->drop;
         overflow.exit = std::max(gate->exit, 0.0);

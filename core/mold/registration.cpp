@@ -45,6 +45,24 @@ Result<DraftedPrism> frustum(const PlanShape& base, double height, const Directi
     return draftedPrism(request);
 }
 
+/// The place that is farthest from all that stand; of equals, and where nothing stands, the first.
+std::vector<Vector2d>::iterator farthestFrom(std::vector<Vector2d>& places,
+                                             const std::vector<Vector2d>& standing) {
+    constexpr double clearly = 1e-6; // mm
+    auto best = places.begin();
+    double most = 0;
+    for (auto place = places.begin(); place != places.end(); ++place) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Vector2d& other : standing)
+            nearest = std::min(nearest, (*place - other).norm());
+        if (nearest > most + clearly) {
+            most = nearest;
+            best = place;
+        }
+    }
+    return best;
+}
+
 } // namespace
 
 std::vector<Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions, const Block& block,
@@ -52,13 +70,30 @@ std::vector<Vector2d> keyPlaces(const KeySettings& keys, const Directions& direc
     const double shift = shiftOf(keys, directions);
     std::vector<Vector2d> places;
     Obstacles taken = obstacles;
-    const std::vector<Vector2d> round = placesRound(block, static_cast<int>(wishes.size()));
-    for (std::size_t i = 0; i < round.size(); ++i) {
+    std::vector<Vector2d> standing; // by hand, or found
+    for (const std::optional<Vector2d>& wish : wishes)
+        if (wish)
+            standing.push_back(*wish);
+    std::vector<Vector2d> round = placesRound(block, mostRound);
+    for (std::size_t i = 0; i < wishes.size() && !round.empty(); ++i) {
         const double radius = socketRadius(keys, i == 0, shift);
-        const std::optional<Vector2d> place =
-            wishes[i] ? wishes[i] : nearestFree(round[i], radius, block, taken, {steel, steel}, pull);
-        if (!place)
-            break;
+        std::optional<Vector2d> place = wishes[i];
+        if (!place) {
+            const auto freeAt = [&](std::vector<Vector2d>::iterator at) {
+                const Vector2d near = *at;
+                const auto found = nearestFree(near, radius, block, taken, {steel, steel}, pull);
+                if (found)
+                    round.erase(at);
+                return found;
+            };
+            const auto farthest = farthestFrom(round, standing);
+            place = freeAt(farthest);
+            if (!place && farthest != round.begin())
+                place = freeAt(round.begin());
+            if (!place)
+                break;
+            standing.push_back(*place);
+        }
         places.push_back(*place);
         taken.push_back(planCircle(*place, radius, circleCorners));
     }

@@ -26,8 +26,10 @@ struct WedgeSlit {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
 };
 
-/// Places for `wishes.size()` keys: those by hand, the others as near to the block's corners as steel to
-/// everything else allows, the larger one first. Fewer where there is no room: then the block must grow.
+/// Places for `wishes.size()` keys: those by hand, the others as near as steel to everything else allows to
+/// places round the block, the larger one first: each to the one that is farthest from all keys that stand,
+/// or where there is no room to the next of placesRound(). So they do not crowd at the ends of a long block.
+/// Fewer where there is no room there either: then the block must grow.
 /// Obstacles hold what stands there by hand.
 [[nodiscard]] std::vector<Eigen::Vector2d> keyPlaces(const KeySettings& keys, const Directions& directions,
                                                      const Block& block, const Obstacles& obstacles,

@@ -2,6 +2,7 @@
 #include "mold/release.h"
 
 #include "base/parallel.h"
+#include "base/stop_point.h"
 #include "castability/certificate.h"
 #include "castability/exact_predicates.h"
 #include "castability/overhang.h"
@@ -49,6 +50,7 @@ public:
         : m_half(half), m_meshes{&half, &other, &cast}, m_tolerance(onPlaneTolerance(half)) {}
 
     [[nodiscard]] bool holds(int f) {
+        stopPoint();
         const Vector3d normal = doubleAreaVector(m_half, f).normalized();
         const double offset = m_half.corner(f, 0).dot(normal);
         const auto [at, isNew] = m_known.try_emplace({normal.x(), normal.y(), normal.z(), offset}, false);
@@ -101,6 +103,7 @@ public:
     void addNear(const IndexedMesh& mesh, IndexedMesh& near) const {
         std::vector<int> faces;
         for (int f = 0; f < mesh.faceCount(); ++f) {
+            stopPointAt(f);
             const Eigen::AlignedBox2d box = boxOf(mesh, f);
             if (!box.intersects(m_box))
                 continue;
@@ -243,8 +246,10 @@ constexpr std::size_t grain = 4096;
 std::vector<int> facesThat(const IndexedMesh& mesh, const std::function<bool(int)>& test) {
     std::vector<char> holds(static_cast<std::size_t>(mesh.faceCount()), 0);
     parallelFor(holds.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f)
+        for (std::size_t f = begin; f < end; ++f) {
+            stopPointAt(static_cast<std::ptrdiff_t>(f));
             holds[f] = test(static_cast<int>(f)) ? 1 : 0;
+        }
     });
     std::vector<int> faces;
     for (std::size_t f = 0; f < holds.size(); ++f)

@@ -2,6 +2,7 @@
 #include "mold/steel.h"
 
 #include "base/parallel.h"
+#include "base/stop_point.h"
 
 #include <algorithm>
 #include <array>
@@ -147,6 +148,7 @@ private:
         for (std::size_t g = 0; g < groups.size(); ++g)
             look(box.exteriorDistance(groups[g].box.translated(shift(points))), false, g);
         while (!ahead.empty() && std::get<double>(ahead.top()) < least.thickness) {
+            stopPoint();
             const auto [bound, isPoint, which] = ahead.top();
             ahead.pop();
             if (!isPoint) {

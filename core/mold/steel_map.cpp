@@ -2,6 +2,7 @@
 #include "mold/steel_map.h"
 
 #include "base/parallel.h"
+#include "base/stop_point.h"
 #include "castability/certificate.h"
 #include "mesh/finer_faces.h"
 #include "mesh/measures.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace moldwright {
@@ -162,7 +164,9 @@ int SteelScale::classOf(double thickness) const {
     return static_cast<int>(std::clamp(1 + std::floor((thickness - limit) / step()), 1.0, classes - 1.0));
 }
 
-Result<SteelMap> steelMap(const Mold& mold, int side, const Task& task) {
+namespace {
+
+SteelMap measuredMap(const Mold& mold, int side, const Task& task) {
     const IndexedMesh& half = *(side == 1 ? mold.half1 : mold.half2).mesh;
     SteelMap map;
     map.scale.limit = mold.settings.leastSteel;
@@ -177,10 +181,18 @@ Result<SteelMap> steelMap(const Mold& mold, int side, const Task& task) {
         ownerOfPart.push_back(owner[static_cast<std::size_t>(f)]);
     map.surface = std::make_shared<const IndexedMesh>(std::move(finer.mesh));
     map.thickness = steelOfFaces(hollows, *map.surface, ownerOfPart, map.beyond(), task);
-    if (task.stopped())
-        return failure(ErrorCode::Cancelled, MW_TEXT("Mold", "Measuring the steel was cancelled."));
+    stopPoint();
     sumUp(map);
     return map;
+}
+
+} // namespace
+
+Result<SteelMap> steelMap(const Mold& mold, int side, const Task& task) {
+    std::optional<SteelMap> map = unlessStopped(task, [&] { return measuredMap(mold, side, task); });
+    if (!map)
+        return failure(ErrorCode::Cancelled, MW_TEXT("Mold", "Measuring the steel was cancelled."));
+    return *std::move(map);
 }
 
 } // namespace moldwright

@@ -2,6 +2,7 @@
 #include "mold/surface_sum.h"
 
 #include "base/parallel.h"
+#include "base/stop_point.h"
 #include "mesh/edge_table.h"
 #include "mesh/point_rows.h"
 
@@ -92,6 +93,7 @@ private:
             const PlacedSurface& surface = m_surfaces[s];
             Place place{m_points, m_faces, {}};
             for (const int v : borderOfSurface(s).points) {
+                stopPointAt(v);
                 const Vector3d p = surface.mesh->point(v) + shift(surface);
                 const auto [at, isNew] =
                     numberOf.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(m_borderPoints.size()));
@@ -121,6 +123,7 @@ private:
         };
         const int second = surface.insideOut ? 2 : 1;
         for (Index f = 0; f < surface.mesh->F.rows(); ++f) {
+            stopPointAt(f);
             const auto face = surface.mesh->F.row(f);
             into.F.row(place.firstFace + f) << number(face[0]), number(face[second]),
                 number(face[3 - second]);
@@ -129,12 +132,14 @@ private:
 
     [[nodiscard]] std::vector<std::array<int, 2>> openEdges() const {
         std::vector<std::array<int, 2>> edges;
-        for (std::size_t s = 0; s < m_surfaces.size(); ++s)
+        for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
+            stopPoint();
             for (const auto& [from, to] : borderOfSurface(s).edges) {
                 const auto [low, high] = std::minmax(m_places[s].border[static_cast<std::size_t>(from)],
                                                      m_places[s].border[static_cast<std::size_t>(to)]);
                 edges.push_back({low, high});
             }
+        }
         std::sort(edges.begin(), edges.end());
         std::vector<std::array<int, 2>> open;
         for (std::size_t i = 0; i < edges.size(); ++i)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "mold/three_mf.h"
 
+#include "base/stop_point.h"
+
 // The flat C interface of lib3mf 1.8; the class interface of 2.x is not in Debian 12.
 #include <lib3mf/Model/COM/NMR_DLLInterfaces.h>
 
@@ -94,10 +96,14 @@ Result<std::string> threeMfBytes(const std::string& title, const std::vector<Pla
     require(lib3mf_model_setunit(model, MODELUNIT_MILLIMETER), "set the unit");
     require(lib3mf_model_addmetadatautf8(model, "Title", title.c_str()), "set the title");
     for (const PlateItem& item : items) {
+        stopPoint();
         const Handle object = addMesh(model, item);
         placeOnPlate(model, object.get(), item.placement);
     }
-    return written(model);
+    stopPoint(); // lib3mf itself cannot be stopped: where its file fails, its destructors end the program
+    std::string bytes = written(model);
+    stopPoint();
+    return bytes;
 } catch (const std::runtime_error& error) {
     return failure(ErrorCode::Internal,
                    MW_TEXT("Mold", "The 3MF file could not be made: lib3mf failed to {0}."), {error.what()});

@@ -128,6 +128,17 @@ std::string sizesOf(const Kind& kind, const Phrases& say) {
     return text;
 }
 
+/// How long the ways through runners are: of one length the cavities fill together. Empty without runners.
+std::string waysText(const Mold& mold, const Phrases& say) {
+    if (mold.settings.spout.resting != Resting::Standing || mold.pathLengths.size() < 2)
+        return {};
+    const auto [least, most] = std::ranges::minmax(mold.pathLengths);
+    constexpr double equal = 0.001; // of the longest
+    if (most - least > equal * most)
+        return rangeText({least, most}, " mm");
+    return say(MW_TEXT("Report", "equally long, {0}"), {readable(most, 3) + " mm"});
+}
+
 } // namespace
 
 std::optional<ReportTable> featureTable(const Mold& mold, const Phrases& say) {
@@ -146,6 +157,9 @@ std::optional<ReportTable> featureTable(const Mold& mold, const Phrases& say) {
     }
     if (!more)
         return std::nullopt;
+    if (const std::string ways = waysText(mold, say); !ways.empty())
+        table.rows.push_back({say(MW_TEXT("Report", "Way from the spout to each cavity")),
+                              std::to_string(mold.pathLengths.size()), ways});
     return table;
 }
 

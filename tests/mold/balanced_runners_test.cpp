@@ -183,3 +183,20 @@ TEST(BalancedRunners, AreSketchedAsTheyAreBuilt) {
     EXPECT_EQ(free->steel, built->steelOfEach);
     EXPECT_EQ(free->features.size(), built->features.size());
 }
+
+TEST(BalancedRunners, TellThatASpoutByHandIsNotFollowed) {
+    for (const bool circle : {false, true}) {
+        MoldSettings settings = everyFeature();
+        settings.layout.rows = settings.layout.columns = 2;
+        settings.spout.runners = Runners::Balanced;
+        if (circle)
+            settings.layout.arrangement = Arrangement::Circle;
+        settings.placed = {{Placeable::Spout, 0, {7, 40}}};
+        const Result<Mold> mold = moldOf(ball(8, 4), settings);
+        expectVerified(mold);
+        ASSERT_TRUE(mold);
+        EXPECT_TRUE(std::ranges::any_of(mold->notes, [](const Message& note) {
+            return note.english().find("not where it was put") != std::string::npos;
+        }));
+    }
+}

@@ -266,6 +266,70 @@ TEST(MoldFeatures, StaggeredAndPackedKeepTheirSpacing) {
     expectVerified(moldOf(ball(8, 4), packed));
 }
 
+TEST(MoldFeatures, AGateIsNeverWiderThanItsCavity) {
+    MoldSettings settings = everyFeature();
+    for (const double radius : {1.2, 2.0, 2.9})
+        for (const int rows : {1, 2}) {
+            SCOPED_TRACE(radius);
+            settings.layout.rows = settings.layout.columns = rows;
+            const Result<Mold> mold = moldOf(ball(radius, 4), settings);
+            expectVerified(mold);
+            ASSERT_TRUE(mold);
+            const auto told = std::ranges::find_if(mold->notes, [](const Message& note) {
+                return note.english().find("wider than the cavity") != std::string::npos;
+            });
+            ASSERT_NE(told, mold->notes.end());
+            EXPECT_EQ(told->arguments.front(), "6");
+            EXPECT_GE(mold->minWall, settings.leastSteel - 1e-4);
+            for (const MoldFeature& feature : mold->features)
+                if (feature.kind == "gate") {
+                    const double width = feature.numbers.back().second;
+                    EXPECT_LT(width, 2 * radius);
+                    EXPECT_GT(width, radius);
+                }
+        }
+    const Result<Mold> large = moldOf(ball(5, 4), settings);
+    expectVerified(large);
+    for (const Message& note : large->notes)
+        EXPECT_EQ(note.english().find("wider than the cavity"), std::string::npos);
+}
+
+TEST(MoldFeatures, KeysKeepTheirSteelToGatesOfSmallCavities) {
+    MoldSettings settings = everyFeature();
+    settings.shape = BlockShape::Shell; // keys are drawn inwards
+    settings.layout.rows = settings.layout.columns = 2;
+    for (const double radius : {2.0, 2.5, 4.0})
+        for (const int keys : {4, 8}) {
+            settings.keys.count = keys;
+            const Result<Mold> mold = moldOf(ball(radius, 4), settings);
+            expectVerified(mold);
+            ASSERT_TRUE(mold);
+            for (const ThinSteel& thin : mold->steel)
+                if (thin.first == "Key" || thin.second == "Key") {
+                    EXPECT_GE(thin.thickness, settings.leastSteel - 1e-4)
+                        << thin.first << ", " << thin.second;
+                }
+        }
+}
+
+TEST(MoldFeatures, KeysAreSpreadWhereTheBlockHasRoom) {
+    MoldSettings settings;
+    settings.wall = 14;
+    for (const int keys : {3, 4}) {
+        settings.keys.count = keys;
+        const Result<Mold> mold = moldOf(frusta(200, 20, 6, 6, lean), settings);
+        expectVerified(mold);
+        std::vector<Vector3d> places;
+        for (const MoldFeature& feature : mold->features)
+            if (feature.kind == "key")
+                places.push_back(feature.place);
+        ASSERT_EQ(places.size(), static_cast<std::size_t>(keys));
+        for (std::size_t i = 0; i < places.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_GT((places[i] - places[j]).norm(), keys == 3 ? 80 : 45);
+    }
+}
+
 TEST(MoldFeatures, VentsServeWhatTheSpoutDoesNot) {
     // Two towers of unlike height on a bar: the lower one traps air when both point up.
     PrismRequest towers;

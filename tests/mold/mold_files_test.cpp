@@ -136,3 +136,14 @@ TEST(MoldFiles, AFolderThatCannotBeMadeIsNamed) {
     EXPECT_EQ(done.error().code, ErrorCode::WriteFailed);
     EXPECT_NE(done.error().english().find("file/out"), std::string::npos);
 }
+
+TEST(MoldFiles, ACancelLeavesNoPieceOfAFile) {
+    const Mold mold = plainMold();
+    const ScratchFolder folder;
+    const Task task;
+    task.cancel();
+    const Result<void> written = writeMold(mold, "part", folder.path(), {}, task);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().code, ErrorCode::Cancelled);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}

@@ -135,3 +135,26 @@ TEST(Mold, CanBeCancelled) {
     ASSERT_FALSE(mold.has_value());
     EXPECT_EQ(mold.error().code, ErrorCode::Cancelled);
 }
+
+TEST(Mold, HearsACancelInTheMiddleOfEveryStage) {
+    const KnownCast cast = ball(10, 3);
+    MoldSettings settings = everyFeature();
+    settings.layout.rows = settings.layout.columns = 2;
+    std::vector<std::string> stages;
+    const auto note = [&](double, const std::string& stage) { stages.push_back(stage); };
+    expectVerified(buildMold(test::trayOf(cast), 1, settings, Task(note)));
+    stages.pop_back(); // told when all is done
+    for (std::size_t number = 0; number < stages.size(); ++number) {
+        std::size_t begun = 0;
+        Task* running = nullptr;
+        Task task([&](double, const std::string&) {
+            if (begun++ == number)
+                running->cancel();
+        });
+        running = &task;
+        const Result<Mold> mold = buildMold(test::trayOf(cast), 1, settings, task);
+        ASSERT_FALSE(mold.has_value()) << stages[number];
+        EXPECT_EQ(mold.error().code, ErrorCode::Cancelled);
+        EXPECT_EQ(begun, number + 1) << "no other stage begins";
+    }
+}

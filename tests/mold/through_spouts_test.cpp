@@ -98,6 +98,36 @@ TEST(ThroughSpouts, LeaveAirInOtherHillsToVents) {
         }
 }
 
+TEST(ThroughSpouts, MoveVentsToWhereTheyAreNotInTheWay) {
+    KnownCast cast = ring(10, 5, 120, 40);
+    for (int v = 0; v < cast.mesh.vertexCount(); ++v)
+        cast.mesh.V(v, 2) *= 1 + 0.3 * std::cos(3 * std::atan2(cast.mesh.V(v, 1), cast.mesh.V(v, 0)));
+    MoldSettings settings = lying();
+    settings.vents.on = true;
+    settings.vents.smallestTrap = 1;
+    const auto highest = [](const Mold& mold) {
+        double away = 0;
+        for (const MoldFeature& feature : mold.features)
+            if (feature.kind == "vent")
+                away = std::max(away, feature.stands->place.norm());
+        return away;
+    };
+    const Result<Mold> slender = moldOf(cast, settings);
+    expectVerified(slender);
+    EXPECT_EQ(count(*slender, "vent"), 2);
+    EXPECT_NEAR(highest(*slender), 10, 0.5) << "on the hills";
+    settings.spout.diameter = 32; // reaches over the hills beside its own
+    const Result<Mold> wide = moldOf(cast, settings);
+    expectVerified(wide);
+    ASSERT_TRUE(wide);
+    EXPECT_EQ(count(*wide, "vent"), 2);
+    EXPECT_GT(highest(*wide), 11) << "outwards from the hills";
+    for (const ThinSteel& thin : wide->steel)
+        if (thin.first == "Vent" || thin.second == "Vent") {
+            EXPECT_GE(thin.thickness, settings.leastSteel - 1e-4) << thin.first << ", " << thin.second;
+        }
+}
+
 TEST(ThroughSpouts, WithoutRoomForTheNeckAreRefused) {
     MoldSettings settings = lying();
     settings.spout.neck = 15;

@@ -152,6 +152,42 @@ TEST(Tray, IsProvedInEveryArrangementWithEveryFeature) {
         }
 }
 
+TEST(Tray, PackedHasAPitchOfItsOwnForEachColumnAndRow) {
+    const double spacing = 5;
+    for (const bool inARow : {true, false}) {
+        MoldSettings settings;
+        settings.layout.arrangement = Arrangement::Packed;
+        (inARow ? settings.layout.columns : settings.layout.rows) = 4;
+        const Result<Mold> mold = buildMold(barAndBall(2, 2), 1, settings);
+        expectVerified(mold);
+        ASSERT_TRUE(mold);
+        std::vector<double> places;
+        for (const std::string name : {"bar", "ball"})
+            for (const MoldFeature* cavity : cavitiesOf(*mold, name))
+                places.push_back(inARow ? cavity->place.x() : cavity->place.y());
+        const double bar = inARow ? 16 : 30; // it lies with its longer side along y
+        const double ball = 14;
+        EXPECT_NEAR(places[1] - places[0], bar + spacing, 0.1);
+        EXPECT_NEAR(places[2] - places[1], (bar + ball) / 2 + spacing, 0.2);
+        EXPECT_NEAR(places[3] - places[2], ball + spacing, 0.2);
+        EXPECT_GE(mold->minWall, spacing - 0.01);
+    }
+}
+
+TEST(Tray, PackedLeavesTheMainRunnerItsRoom) {
+    for (const int columns : {1, 2, 3, 4}) {
+        SCOPED_TRACE(columns);
+        const Result<Mold> mold = buildMold(barAndBall(1, 4), 1, arranged(Arrangement::Packed, 2, columns));
+        expectVerified(mold);
+        ASSERT_TRUE(mold);
+        EXPECT_GE(mold->minWall, mold->settings.leastSteel - 1e-6);
+        for (const ThinSteel& thin : mold->steel)
+            if (thin.first == "Cavity" && thin.second == "Cavity") {
+                EXPECT_GE(thin.thickness, mold->settings.layout.spacing - 0.01);
+            }
+    }
+}
+
 TEST(Tray, HangsSmallPartsAsNearToTheRunnerAsLargeOnes) {
     MoldSettings settings = everyFeature();
     settings.vents.on = false;

@@ -242,6 +242,22 @@ TEST(ReportData, ListsCavitiesOfEachPartApart) {
     EXPECT_EQ(rows, (std::vector<std::string>{"Cavity (box) 1", "Cavity (ball) 2"}));
 }
 
+TEST(ReportData, SaysWhetherAllWaysAreOfOneLength) {
+    ReportSubject subject = subjectWith(frusta(20, 10, 5, 3, 0.1));
+    Mold mold = *subject.mold;
+    mold.features.push_back({"runner", "Runner", {}, {}, {}});
+    const auto lastRow = [&](std::vector<double> ways) {
+        mold.pathLengths = std::move(ways);
+        subject.mold = std::make_shared<const Mold>(mold);
+        return reportData(subject).features->rows.back();
+    };
+    EXPECT_EQ(lastRow({120, 120.01, 120, 120}),
+              (std::vector<std::string>{"Way from the spout to each cavity", "4", "equally long, 120 mm"}));
+    EXPECT_EQ(lastRow({50, 480}),
+              (std::vector<std::string>{"Way from the spout to each cavity", "2", "50 – 480 mm"}));
+    EXPECT_EQ(lastRow({50})[0], "Runner") << "one cavity has nothing to compare";
+}
+
 TEST(ReportData, SpeaksTheReadersLanguage) {
     const Phrases loud([](std::string english) {
         std::ranges::transform(english, english.begin(),

@@ -271,8 +271,11 @@ QWidget* PropertyPanel::makeText(const Property& property, const TextProperty& t
     row.text->setAccessibleName(property.label);
     row.text->setObjectName(QStringLiteral("text-") + property.id);
     const QString id = property.id;
-    connect(row.text, &QLineEdit::editingFinished, this,
-            [this, id, field = row.text] { Q_EMIT committed(id, field->text()); });
+    connect(row.text, &QLineEdit::editingFinished, this, [this, id, field = row.text] {
+        const QString typed = field->text();
+        field->setText(typed); // forgets the keys: Undo is the document's from here
+        Q_EMIT committed(id, typed);
+    });
     return row.text;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "features/cgal/constrained_triangulation.h"
 
+#include "base/stop_point.h"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -63,6 +65,7 @@ std::optional<Triangles> triangulateRegion(const std::vector<Eigen::Vector2d>& p
     std::vector<Triangulation::Vertex_handle> handles;
     Triangulation::Face_handle near; // outlines come in order: the next point is beside the last
     for (const Eigen::Vector2d& p : points) {
+        stopPointAt(static_cast<std::ptrdiff_t>(handles.size()));
         const auto handle = triangulation.insert({p.x(), p.y()}, near);
         handle->info() = static_cast<int>(handles.size());
         near = handle->face();
@@ -70,9 +73,11 @@ std::optional<Triangles> triangulateRegion(const std::vector<Eigen::Vector2d>& p
     }
     if (triangulation.number_of_vertices() != points.size())
         return std::nullopt;
-    for (const auto& [from, to] : outlineSegments)
+    for (const auto& [from, to] : outlineSegments) {
+        stopPointAt(from);
         triangulation.insert_constraint(handles[static_cast<std::size_t>(from)],
                                         handles[static_cast<std::size_t>(to)]);
+    }
     return trianglesInside(triangulation);
 } catch (const Triangulation::Intersection_of_constraints_exception&) {
     return std::nullopt;

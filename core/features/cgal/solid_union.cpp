@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "features/cgal/solid_union.h"
 
+#include "base/stop_point.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Surface_mesh.h>
@@ -22,11 +24,13 @@ std::optional<Mesh> surfaceMesh(const IndexedMesh& mesh) {
     std::vector<Mesh::Vertex_index> vertices;
     for (int v = 0; v < mesh.vertexCount(); ++v)
         vertices.push_back(result.add_vertex({mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)}));
-    for (const auto& f : mesh.F.rowwise())
+    for (const auto& f : mesh.F.rowwise()) {
+        stopPointAt(f[0]);
         if (result.add_face(vertices[static_cast<std::size_t>(f[0])],
                             vertices[static_cast<std::size_t>(f[1])],
                             vertices[static_cast<std::size_t>(f[2])]) == Mesh::null_face())
             return std::nullopt;
+    }
     return result;
 }
 
@@ -85,10 +89,12 @@ std::optional<IndexedMesh> unionOfSolids(const IndexedMesh& a, const IndexedMesh
     std::optional<Mesh> second = surfaceMesh(b);
     if (!first || !second)
         return std::nullopt;
+    stopPoint();
     namespace pmp = CGAL::Polygon_mesh_processing;
     Mesh joined;
     if (!pmp::corefine_and_compute_union(*first, *second, joined))
         return std::nullopt;
+    stopPoint();
     joined.collect_garbage();
     return inFixedOrder(indexedMesh(joined));
 } catch (const std::exception&) {
