@@ -11,6 +11,7 @@
 #include "project/project_file.h"
 #include "support/casts.h"
 #include "support/folders.h"
+#include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
 #include "window/mold_placing.h"
@@ -115,6 +116,8 @@ TEST(TrayWindow, APartIsAddedCountedBuiltUndoneSavedAndOpenedAgain) {
     ASSERT_TRUE(driver.waitFor([&] { return driver.bench().placing().sketch() != nullptr; }))
         << driver.bench().placing().refusal().toStdString();
     EXPECT_EQ(driver.bench().placing().sketch()->partingLines.size(), 3U) << "live, before it is built";
+    driver.window().view().setFocus();
+    driver.press("F"); // what is chosen, also beside the part
     driver.shot("tray-part");
 
     driver.window().setFocus();
