@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/info_command.h"
 
-#include "cli/variant_option.h"
 #include "cli/state_options.h"
+#include "cli/variant_option.h"
 #include "project/project_file.h"
 #include "project/variant_figures.h"
 
@@ -39,7 +39,8 @@ Json described(const Project& project) {
                  {"draft_deg", project.design.draftDegrees},
                  {"designed", project.cast != nullptr}};
     for (const TrayPart& part : project.furtherParts)
-        json["further_parts"].push_back({{"name", part.name}, {"source", part.source}, {"count", part.count}});
+        json["further_parts"].push_back(
+            {{"name", part.name}, {"source", part.source}, {"count", part.count}});
     if (project.state) {
         json["plane"] = jsonOf(project.state->plane);
         json["d1"] = jsonOf(project.state->directions.d1);
@@ -70,10 +71,10 @@ Result<ExitCode> info(const InfoOptions& options, const Session& session) {
 constexpr const char* manual =
     "JSON: the project's manifest: format, version, minReader, name, part and cast\n"
     "(points, faces), parts[]; with several variants variants[]: name, current, cast; with further\n"
-    "parts in its mold further_parts[]: name, count. With\n"
-    "--variant also variant: name, pins, regions, draft_deg, designed, further_parts[] with their\n"
-    "source, plane[4], d1, d2, and once it is designed figures: castable, worst_draft_deg, strain_rms, max_distance, rms_distance (mm),\n"
-    "filled_volume (mm³), block[3] (mm), steps.\n"
+    "parts in its mold further_parts[]: name, count. With --variant also variant: name, pins, regions,\n"
+    "draft_deg, designed, further_parts[] with their source, plane[4], d1, d2, and once it is designed\n"
+    "figures: castable, worst_draft_deg, strain_rms, max_distance, rms_distance (mm), filled_volume\n"
+    "(mm³), block[3] (mm), steps.\n"
     "\n"
     "Examples:\n"
     "  moldwright-cli info rabbit.moldwright --json -\n"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/report_command.h"
 
-#include "cli/variant_option.h"
 #include "cli/render_client.h"
+#include "cli/variant_option.h"
 
 #include <CLI/CLI.hpp>
 

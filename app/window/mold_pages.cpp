@@ -67,8 +67,7 @@ PropertyPage moldPage(const Workbench& bench, const Actions& actions) {
         bench.moldIsCurrent()
             ? std::vector{actions[u"export-mold"_s], actions[u"build-mold"_s], actions[u"open-mold"_s]}
             : std::vector{actions[u"build-mold"_s]};
-    page.layout += trayLayout(bench);
-    page.sections.push_back(traySection(bench, actions));
+    addTraySection(page, bench, actions);
     page.sections.push_back(presetSection(actions));
     page.sections.push_back(
         {Words::tr("Measured"),

@@ -8,6 +8,7 @@
 #include "window/pin_pages.h"
 #include "window/refusal_pages.h"
 #include "window/refused_mesh.h"
+#include "window/tray_pages.h"
 #include "window/undercut_pages.h"
 #include "window/workbench.h"
 
@@ -85,6 +86,8 @@ AlignedBox3d placeOfRow(const QString& id, const Workbench& bench) {
         return bench.placeOfUndercut(number);
     if (const auto feature = featureOf(id))
         return aroundFeature(*feature, bench);
+    if (trayNumber(id) >= 0)
+        return trayPlace(trayNumber(id), bench);
     if (pinsChosen(id))
         return aroundPins(pinNumber(id), bench);
     if (regionsChosen(id))

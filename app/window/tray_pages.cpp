@@ -15,6 +15,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <utility>
 
 namespace moldwright {
 
@@ -109,38 +110,66 @@ QString trayWords(const Workbench& bench) {
                                     : composition(trayIn(bench), bench.project().mold.layout);
 }
 
-PropertySection traySection(const Workbench& bench, const Actions& actions) {
+void addTraySection(PropertyPage& page, const Workbench& bench, const Actions& actions) {
     PropertySection section{Words::tr("Parts in the mold"), {}, {actions[u"add-part"_s]}, false};
     const Tray tray = trayIn(bench);
-    for (int i = 0; i < static_cast<int>(trayRowCount(bench)); ++i)
-        section.rows.push_back(countRow(i, nameOf(tray, i)));
-    return section;
+    QStringList names;
+    for (int i = 0; i < static_cast<int>(trayRowCount(bench)); ++i) {
+        names << nameOf(tray, i);
+        section.rows.push_back(countRow(i, names.back()));
+    }
+    page.layout += u';' + names.join(u',');
+    const auto layout = std::ranges::find_if(page.sections, [](const PropertySection& other) {
+        return std::ranges::find(other.rows, u"columns"_s, &Property::id) != other.rows.end();
+    });
+    page.sections.insert(layout == page.sections.end() ? layout : layout + 1, std::move(section));
 }
 
-QString trayLayout(const Workbench& bench) {
-    QStringList names;
+namespace {
+
+/// The cavities of the plan that have a part, and where they are in the project's own part's frame.
+std::vector<std::pair<std::string, Eigen::Vector3d>> cavitiesInPlan(const Workbench& bench) {
+    std::vector<std::pair<std::string, Eigen::Vector3d>> cavities;
+    const MoldSketch* sketch = bench.placing().sketch();
+    if (sketch == nullptr || trayRowCount(bench) == 0)
+        return cavities;
+    const Eigen::Isometry3d toPart = sketch->partToMold.inverse();
+    for (const MoldFeature& feature : sketch->features)
+        if (!feature.part.empty())
+            cavities.emplace_back(feature.part,
+                                  toPart * Eigen::Vector3d(feature.place.x(), feature.place.y(), 0));
+    return cavities;
+}
+
+/// Whether a cavity of the plan is one of this part; a part that is gone has none.
+bool isOf(const std::string& cavity, const Tray& tray, int number) {
+    return number >= 0 && number < static_cast<int>(tray.size()) &&
+           cavity == partName(tray, static_cast<std::size_t>(number));
+}
+
+} // namespace
+
+Eigen::AlignedBox3d trayPlace(int number, const Workbench& bench) {
+    Eigen::AlignedBox3d box;
     const Tray tray = trayIn(bench);
-    for (int i = 0; i < static_cast<int>(trayRowCount(bench)); ++i)
-        names << nameOf(tray, i);
-    return u';' + names.join(u',');
+    for (const auto& [name, place] : cavitiesInPlan(bench))
+        if (isOf(name, tray, number)) {
+            const SharedMesh& mesh = tray[static_cast<std::size_t>(number)].cast->mesh;
+            const Eigen::Vector3d reach =
+                Eigen::Vector3d::Constant(bench.figures(mesh).box.diagonal().norm() / 2);
+            box.extend(place - reach);
+            box.extend(place + reach);
+        }
+    return box;
 }
 
 std::vector<scene::Chip> trayChips(const Workbench& bench, const QString& selected) {
     std::vector<scene::Chip> chips;
-    const MoldSketch* sketch = bench.placing().sketch();
-    if (sketch == nullptr || trayRowCount(bench) == 0)
-        return chips;
     const Tray tray = trayIn(bench);
-    const int chosen = trayNumber(selected);
-    const Eigen::Isometry3d toPart = sketch->partToMold.inverse();
-    for (const MoldFeature& feature : sketch->features) {
-        if (feature.part.empty())
-            continue;
-        const bool bold = chosen >= 0 && chosen < static_cast<int>(tray.size()) &&
-                          feature.part == partName(tray, static_cast<std::size_t>(chosen));
-        chips.push_back({toPart * Eigen::Vector3d(feature.place.x(), feature.place.y(), 0),
-                         {{}, {{std::nullopt, {{feature.part, scene::Ink::Text, bold}}, {}}}}});
-    }
+    for (const auto& [name, place] : cavitiesInPlan(bench))
+        chips.push_back(
+            {place,
+             {{}, {{std::nullopt, {{name, scene::Ink::Text, isOf(name, tray, trayNumber(selected))}}, {}}}}});
     return chips;
 }
 

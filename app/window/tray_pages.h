@@ -7,6 +7,8 @@
 
 #include <QString>
 
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace moldwright {
@@ -27,10 +29,11 @@ void addTrayRows(std::vector<ProjectRow>& rows, int parent, const Workbench& ben
 
 /// What the mold is of, in a line: how many cavities each part has, or why it cannot be built so.
 [[nodiscard]] QString trayWords(const Workbench& bench);
-/// A section for the page of the mold: its parts and how many cavities each has.
-[[nodiscard]] PropertySection traySection(const Workbench& bench, const Actions& actions);
-/// Another word for each section that must be laid out in another way; see PropertyPage::layout.
-[[nodiscard]] QString trayLayout(const Workbench& bench);
+/// Adds a section to the page of the mold, after the layout's: its parts and how many cavities each has.
+void addTraySection(PropertyPage& page, const Workbench& bench, const Actions& actions);
+
+/// A box about the cavities of one part in the plan, in the part's frame, mm; empty while there is none.
+[[nodiscard]] Eigen::AlignedBox3d trayPlace(int number, const Workbench& bench);
 
 /// Whose each cavity of the plan is, where the mold has several parts; those of the chosen one in bold.
 [[nodiscard]] std::vector<scene::Chip> trayChips(const Workbench& bench, const QString& selected);

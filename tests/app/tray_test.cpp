@@ -11,6 +11,7 @@
 #include "project/project_file.h"
 #include "support/casts.h"
 #include "support/folders.h"
+#include "view/part_view.h"
 #include "window/document.h"
 #include "window/main_window.h"
 #include "window/mold_placing.h"
@@ -115,6 +116,8 @@ TEST(TrayWindow, APartIsAddedCountedBuiltUndoneSavedAndOpenedAgain) {
     ASSERT_TRUE(driver.waitFor([&] { return driver.bench().placing().sketch() != nullptr; }))
         << driver.bench().placing().refusal().toStdString();
     EXPECT_EQ(driver.bench().placing().sketch()->partingLines.size(), 3U) << "live, before it is built";
+    driver.window().view().setFocus();
+    driver.press("F"); // what is chosen, also beside the part
     driver.shot("tray-part");
 
     driver.window().setFocus();
@@ -203,13 +206,14 @@ TEST(TrayWindow, WhatCannotBeAddedOrCannotStandThereIsTold) {
     ASSERT_NO_FATAL_FAILURE(add(driver, QString::fromStdString(raw.string())));
     EXPECT_EQ(project(driver), alone);
     EXPECT_TRUE(banner->isVisible());
+    driver.click("banner-close");
 
     ASSERT_NO_FATAL_FAILURE(
         add(driver, projectOf(folder, "steep", test::sheared(test::ball(6, 4), 0.4, 0.4))));
     ASSERT_EQ(project(driver).furtherParts.size(), 1U);
     ASSERT_TRUE(driver.waitFor([&] { return !driver.bench().placing().refusal().isEmpty(); }));
     EXPECT_TRUE(trayWords(driver.bench()).contains(u"steep"_s)) << trayWords(driver.bench()).toStdString();
-    EXPECT_TRUE(banner->isVisible());
+    ASSERT_TRUE(banner->isVisible());
     driver.shot("tray-refused");
     // The banner offers the way back.
     driver.click("banner-action");
