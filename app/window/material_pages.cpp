@@ -96,8 +96,10 @@ PropertySection materialSection(const Project& project, const Actions& actions) 
           ChoiceProperty{namesOf(all)}},
          {u"material-draft"_s, Words::tr("Draft here"), Words::tr("And what is usual for the material."),
           ReadingProperty{true}}},
-        {actions[u"take-material-draft"_s], actions[u"edit-materials"_s]},
+        {actions[u"edit-materials"_s]},
         false};
+    if (project.mold.material)
+        section.buttons.insert(section.buttons.begin(), actions[u"take-material-draft"_s]);
     section.notes = paragraphs(project, all);
     return section;
 }
@@ -108,7 +110,8 @@ QString materialRow() {
 
 QString materialLayout(const Project& project) {
     const Offered all = offered(project.mold);
-    return (namesOf(all) + paragraphs(project, all)).join(u'\n');
+    const QString chosen = project.mold.material ? u"chosen"_s : u"none"_s;
+    return (QStringList(chosen) + namesOf(all) + paragraphs(project, all)).join(u'\n');
 }
 
 void fillMaterialSection(PropertyPanel& panel, const Project& project) {

@@ -14,6 +14,8 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
 
 using namespace moldwright;
 using namespace moldwright::test;
@@ -107,6 +109,21 @@ TEST(MoldFiles, ThreeMfHoldsThreeNamedSolidsInMillimetres) {
                                        mold.cast->faceCount()));
     for (const char* name : {"Mold half 1", "Mold half 2", "Cast"})
         EXPECT_EQ(occurrences(model, "name=\"" + std::string(name) + "\""), 1U) << name;
+}
+
+TEST(MoldFiles, OfOneMoldAreTheSameBytesEachTime) {
+    const Mold mold = plainMold();
+    const ScratchFolder folder;
+    ASSERT_TRUE(writeMold(mold, "box", folder.path() / "a"));
+    ASSERT_TRUE(writeMold(mold, "box", folder.path() / "b"));
+    for (const char* name : {"mold.3mf", "mold.json", "mold-half-1.stl"})
+        EXPECT_EQ(bytesOf(folder.path() / "a" / name), bytesOf(folder.path() / "b" / name)) << name;
+    const std::string model = modelOf(folder.path() / "a" / "mold.3mf");
+    const std::regex id("UUID=\"([0-9a-f]{8}-[0-9a-f]{4}-8[0-9a-f]{3}-9[0-9a-f]{3}-[0-9a-f]{12})\"");
+    std::set<std::string> ids;
+    for (std::sregex_iterator it(model.begin(), model.end(), id), end; it != end; ++it)
+        ids.insert((*it)[1]);
+    EXPECT_EQ(ids.size(), 7U) << "three solids, their places and the plate each have their own";
 }
 
 TEST(MoldFiles, DrawingsShowThePartingPlaneInMillimetres) {

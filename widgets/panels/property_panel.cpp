@@ -4,6 +4,7 @@
 #include "panels/fold.h"
 #include "panels/quantity_spin_box.h"
 #include "panels/section_buttons.h"
+#include "panels/text_field.h"
 #include "theme/icons.h"
 #include "theme/theme.h"
 
@@ -265,7 +266,7 @@ QWidget* PropertyPanel::makeChoice(const Property& property, const ChoicePropert
 }
 
 QWidget* PropertyPanel::makeText(const Property& property, const TextProperty& text, Row& row) {
-    row.text = new QLineEdit(this);
+    row.text = new TextField(this);
     row.text->setPlaceholderText(text.placeholder);
     row.text->setFixedHeight(24);
     row.text->setAccessibleName(property.label);
