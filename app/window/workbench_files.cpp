@@ -217,8 +217,8 @@ void Workbench::exportShape(const QString& file) {
 void Workbench::exportMold(const QString& folder) {
     const auto mold = built().mold;
     const std::string name = namesOf(built().tray);
-    m_background.start(tr("Writing the halves"), [=, this](const Task&) -> Background::Finish {
-        const Result<void> written = writeMold(*mold, name, folder.toStdString());
+    m_background.start(tr("Writing the halves"), [=, this](const Task& task) -> Background::Finish {
+        const Result<void> written = writeMold(*mold, name, folder.toStdString(), {}, task);
         return [=, this] {
             if (!written)
                 complain(written.error(), tr("Export"));

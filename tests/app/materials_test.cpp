@@ -111,7 +111,7 @@ TEST_F(Materials, AreChangedAddedAndRemoved) {
     EXPECT_EQ(kept->shrinkPercent.value, 0.62);
     EXPECT_EQ(kept->shrinkPercent.source, "coupon of May");
     EXPECT_EQ(kept->density.source, "makers' data sheets") << "what was not changed stays";
-    dialog->grab().save(qEnvironmentVariable("MOLDWRIGHT_SCREENSHOTS") + u"/materials.png"_s);
+    driver.shot("materials", dialog);
     EXPECT_EQ(driver.bench().project().mold.material->shrinkPercent.value, 0.5) << "a project keeps its own";
 
     QTest::mouseClick(in<QWidget>(*dialog, "materials-new"), Qt::LeftButton);

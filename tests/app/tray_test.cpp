@@ -132,6 +132,7 @@ TEST(TrayWindow, APartIsAddedCountedBuiltUndoneSavedAndOpenedAgain) {
     driver.selectRow("mold");
     EXPECT_EQ(trayWords(driver.bench()).toStdString(),
               "3 cavities: 1 × " + alone.name + ", 2 × " + project(driver).furtherParts[0].name);
+    QTest::qWait(900); // it opens
     driver.shot("tray-mold");
     driver.type("field-tray-count-1", "3");
     EXPECT_FALSE(driver.bench().moldIsCurrent());

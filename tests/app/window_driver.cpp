@@ -162,14 +162,14 @@ void WindowDriver::answerQuestion(const char* button) {
     });
 }
 
-void WindowDriver::shot(const char* name) {
+void WindowDriver::shot(const char* name, const QWidget* of) {
     const QString folder = qEnvironmentVariable("MOLDWRIGHT_SCREENSHOTS");
     if (folder.isEmpty())
         return;
     QTest::qWait(250);
-    window()
-        .screen()
-        ->grabWindow(window().winId())
+    const QWidget& shown = of != nullptr ? *of : window();
+    shown.screen()
+        ->grabWindow(shown.winId())
         .save(folder + u'/' + QString::fromLatin1(name) + QStringLiteral(".png"));
 }
 

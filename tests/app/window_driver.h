@@ -51,8 +51,8 @@ public:
     /// Once the next modal question is open, clicks its button with this object name.
     void answerQuestion(const char* button);
 
-    /// Saves a picture of the window when MOLDWRIGHT_SCREENSHOTS names a folder.
-    void shot(const char* name);
+    /// Saves a picture of the window, or of a dialog, when MOLDWRIGHT_SCREENSHOTS names a folder.
+    void shot(const char* name, const QWidget* of = nullptr);
 
 private:
     /// Until the window manager has given this program the keys.
