@@ -1927,10 +1927,6 @@
         <translation>Eine Wand an der Trennebene müsste flach liegen, um sich entlang der Entformungsrichtungen mit {0}° zu lösen.</translation>
     </message>
     <message>
-        <source>A channel {0} mm deep closes before its floor: it is too narrow for the lean that its walls need.</source>
-        <translation>Ein {0} mm tiefer Kanal schließt sich vor seinem Grund: Er ist zu schmal für die Neigung, die seine Wände brauchen.</translation>
-    </message>
-    <message>
         <source>Only {0} of {1} ejector pins find a place in half {2}: a pin of {3} mm needs ground that is flat within 35°, away from the parting line and the gate. Ask for fewer or thinner pins, or the other half.</source>
         <translation>Nur {0} von {1} Auswerferstiften finden in Hälfte {2} Platz: Ein Stift von {3} mm braucht Grund, der auf 35° eben ist, fern von Trennlinie und Anschnitt. Verlangen Sie weniger oder dünnere Stifte, oder die andere Hälfte.</translation>
     </message>
@@ -2161,6 +2157,22 @@
     <message>
         <source>The layout has {0} × {1} cavities instead of {2} × {3}, so that each part has its number.</source>
         <translation>Die Anordnung hat {0} × {1} statt {2} × {3} Kavitäten, damit jedes Teil seine Anzahl hat.</translation>
+    </message>
+    <message>
+        <source>A channel {0} mm deep closes before its floor: it is too narrow for the lean that its walls need. Make it wider, or take less draft.</source>
+        <translation>Ein {0} mm tiefer Kanal schließt sich vor seinem Grund: Er ist zu schmal für die Neigung, die seine Wände brauchen. Machen Sie ihn breiter oder nehmen Sie weniger Entformungsschräge.</translation>
+    </message>
+    <message>
+        <source>A key {0} mm wide whose walls lean {1}° comes to a point before it is {2} mm high. Make it wider, lower, or its draft smaller.</source>
+        <translation>Ein {0} mm breiter Zapfen, dessen Wände {1}° geneigt sind, läuft spitz zu, bevor er {2} mm hoch ist. Machen Sie ihn breiter, niedriger oder seine Schräge kleiner.</translation>
+    </message>
+    <message>
+        <source>A wedge slit of {0} by {1} mm cannot be {2} mm high in each half with the draft that its walls need. Make it lower, or larger.</source>
+        <translation>Ein Keilschlitz von {0} mal {1} mm kann mit der Schräge, die seine Wände brauchen, nicht in jeder Hälfte {2} mm hoch sein. Machen Sie ihn niedriger oder größer.</translation>
+    </message>
+    <message>
+        <source>A pocket's wall would have to lie flat to leave along the removal directions with {0}°.</source>
+        <translation>Eine Wand einer Tasche müsste flach liegen, um in den Entformungsrichtungen mit {0}° frei zu werden.</translation>
     </message>
 </context>
 <context>

@@ -1927,10 +1927,6 @@
         <translation>分型面处的壁须完全放平，才能沿脱模方向以 {0}° 脱出。</translation>
     </message>
     <message>
-        <source>A channel {0} mm deep closes before its floor: it is too narrow for the lean that its walls need.</source>
-        <translation>深 {0} mm 的通道在到底之前就已合拢：按壁所需的斜度，它太窄了。</translation>
-    </message>
-    <message>
         <source>Only {0} of {1} ejector pins find a place in half {2}: a pin of {3} mm needs ground that is flat within 35°, away from the parting line and the gate. Ask for fewer or thinner pins, or the other half.</source>
         <translation>{1} 根顶针中只有 {0} 根能在半模 {2} 中找到位置：直径 {3} mm 的顶针需要 35° 以内的平坦面，并远离分型线和浇口。请减少数量、改用更细的顶针，或换另一半模。</translation>
     </message>
@@ -2036,7 +2032,7 @@
     </message>
     <message>
         <source>There is no room for {0} keys, {1} slits, {2} bolt holes and {3} pockets. Ask for fewer or smaller ones.</source>
-        <translation>放不下 {0} 个定位销、{1} 条撬缝、{2} 个螺栓孔和 {3} 个嵌件槽。请减少数量或减小尺寸。</translation>
+        <translation>放不下 {0} 个定位销、{1} 条撬模槽、{2} 个螺栓孔和 {3} 个嵌件槽。请减少数量或减小尺寸。</translation>
     </message>
     <message>
         <source>Measuring the steel was cancelled.</source>
@@ -2161,6 +2157,22 @@
     <message>
         <source>The layout has {0} × {1} cavities instead of {2} × {3}, so that each part has its number.</source>
         <translation>排列有 {0} × {1} 个型腔，而不是 {2} × {3} 个，使每个零件达到其数量。</translation>
+    </message>
+    <message>
+        <source>A channel {0} mm deep closes before its floor: it is too narrow for the lean that its walls need. Make it wider, or take less draft.</source>
+        <translation>深 {0} mm 的通道在到底之前就已合拢：按壁所需的斜度，它太窄了。请加宽它，或减小拔模斜度。</translation>
+    </message>
+    <message>
+        <source>A key {0} mm wide whose walls lean {1}° comes to a point before it is {2} mm high. Make it wider, lower, or its draft smaller.</source>
+        <translation>宽 {0} mm、侧壁倾斜 {1}° 的定位销在达到 {2} mm 高之前就已收成尖。请加宽、降低，或减小其斜度。</translation>
+    </message>
+    <message>
+        <source>A wedge slit of {0} by {1} mm cannot be {2} mm high in each half with the draft that its walls need. Make it lower, or larger.</source>
+        <translation>{0} × {1} mm 的撬模槽按壁所需的斜度，无法在每半模中做到 {2} mm 高。请降低或加大它。</translation>
+    </message>
+    <message>
+        <source>A pocket's wall would have to lie flat to leave along the removal directions with {0}°.</source>
+        <translation>嵌件槽的壁必须放平，才能以 {0}° 沿脱模方向脱出。</translation>
     </message>
 </context>
 <context>

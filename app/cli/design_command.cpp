@@ -6,6 +6,7 @@
 #include "cli/frame_writer.h"
 #include "cli/load_part.h"
 #include "cli/mold_options.h"
+#include "cli/option_values.h"
 #include "cli/render_client.h"
 #include "cli/size_options.h"
 #include "cli/state_options.h"
@@ -299,7 +300,7 @@ void declareOptions(CLI::App& app, DesignOptions& o) {
         ->check(CLI::IsMember({"default", "paper"}))
         ->capture_default_str();
     app.add_option("--smoothing", o.smoothing, "How much neighbours turn alike in --method paper: 0 to 1")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(fromTo(0.0, 1.0))
         ->capture_default_str();
     app.add_option("--pins", o.pins,
                    "none; auto: suggested ends of limbs, where that helps; or a JSON file of points to draw "

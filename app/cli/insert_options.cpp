@@ -10,7 +10,7 @@ namespace moldwright::cli {
 void InsertOptions::declare(CLI::App& app) {
     app.add_option("--pockets", pockets, "Pockets in the parting face for inserts")
         ->type_name("N")
-        ->check(CLI::Range(0, 12));
+        ->check(fromTo(0, 12));
     app.add_option("--pocket-shape", pocketShape, "Of the insert: a magnet or dowel, a nut, a block")
         ->check(CLI::IsMember({"round", "hexagon", "rectangle"}));
     length(app, "--pocket-width", pocketWidth, "Diameter, across flats, or the insert's side along y");
@@ -18,7 +18,7 @@ void InsertOptions::declare(CLI::App& app) {
     length(app, "--pocket-depth", pocketDepth, "Into the half");
     app.add_option("--pocket-clearance", pocketClearance, "Round the insert at its floor")
         ->type_name("MM")
-        ->check(CLI::NonNegativeNumber.description(""));
+        ->check(atLeast0());
     app.add_option("--pocket-half", pocketHalf, "The half that they are in; both for dowels")
         ->check(CLI::IsMember({"1", "2", "both"}));
     app.add_option(
@@ -28,7 +28,7 @@ void InsertOptions::declare(CLI::App& app) {
         ->type_name("TEXT|auto|none");
     app.add_option("--plaque-height", plaqueHeight, "Of its capitals, 2.8 or more; 0: as there is room")
         ->type_name("MM")
-        ->check(CLI::NonNegativeNumber.description(""));
+        ->check(atLeast0());
     length(app, "--plaque-depth", plaqueDepth, "Of its grooves");
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 CLI::Option* angle(CLI::App& app, const std::string& name, std::optional<double>& value,
                    const std::string& help) {
-    return app.add_option(name, value, help)->type_name("DEG")->check(CLI::Range(0.0, 45.0));
+    return app.add_option(name, value, help)->type_name("DEG")->check(fromTo(0.0, 45.0));
 }
 
 constexpr std::size_t mostCavities = 400;
@@ -56,37 +56,37 @@ void MoldOptions::declareBlock(CLI::App& app) {
     length(app, "--ceiling", ceiling, "Steel over the cavities of half 1");
     app.add_option("--size-step", step, "Block sizes round up to a multiple of this, mm; 0: not rounded")
         ->type_name("MM")
-        ->check(CLI::NonNegativeNumber.description(""));
+        ->check(atLeast0());
     app.add_option("--block", block, "A box, or a shell: its corners cut away where nothing stands in them")
         ->check(CLI::IsMember({"box", "shell"}));
     app.add_option("--outer-draft", outerDraft,
                    "The outer faces widen to the back by this, so that a half that is cast leaves its form; "
                    "below 0 they narrow")
         ->type_name("DEG")
-        ->check(CLI::Range(-15.0, 15.0));
+        ->check(fromTo(-15.0, 15.0));
     app.add_option("--stock", stock, "Lengths and widths of blocks that are to be had; comma between")
         ->type_name("MM,...")
         ->delimiter(',')
-        ->check(CLI::PositiveNumber.description(""));
+        ->check(above0());
     app.add_option("--bed", bed, "What the printer can make: halves that are larger are told")
         ->type_name("X,Y,Z")
         ->delimiter(',')
         ->expected(3)
-        ->check(CLI::PositiveNumber.description(""));
+        ->check(above0());
     app.add_option("--press", press, "What the press closes with: a mold that needs more is told")
         ->type_name("KN")
-        ->check(CLI::PositiveNumber.description(""));
+        ->check(above0());
     length(app, "--hollow", hollow, "Cast hollow with a wall of this: its volume and mass are told");
     length(app, "--least-steel", leastSteel, "Kept between features that are placed automatically");
     app.add_option("--pressure", pressure, "In the cavity while it fills, for the clamp force")
         ->type_name("BAR")
-        ->check(CLI::PositiveNumber.description(""));
+        ->check(above0());
     app.add_option("--density", density, "Of what is cast, for its mass")
         ->type_name("G/CM3")
-        ->check(CLI::PositiveNumber.description(""));
+        ->check(above0());
     app.add_option("--block-density", blockDensity, "Of the block, for its mass")
         ->type_name("G/CM3")
-        ->check(CLI::PositiveNumber.description(""));
+        ->check(above0());
 }
 
 void MoldOptions::declareLayout(CLI::App& app) {
@@ -133,18 +133,16 @@ void MoldOptions::declareChannels(CLI::App& app) {
     length(app, "--vent-diameter", ventDiameter, "At the narrowest");
     length(app, "--vent-depth", ventDepth,
            "Of vents in the parting plane, both halves together; by itself as deep as their width asks");
-    app.add_option("--smallest-trap", smallestTrap, "Air that may stay")
-        ->type_name("MM3")
-        ->check(CLI::NonNegativeNumber.description(""));
+    app.add_option("--smallest-trap", smallestTrap, "Air that may stay")->type_name("MM3")->check(atLeast0());
 }
 
 void MoldOptions::declareRegistration(CLI::App& app) {
-    app.add_option("--keys", keys, "Registration keys")->type_name("N")->check(CLI::Range(0, 12));
+    app.add_option("--keys", keys, "Registration keys")->type_name("N")->check(fromTo(0, 12));
     length(app, "--key-diameter", keyDiameter, "At the parting plane; one is larger");
     length(app, "--key-height", keyHeight, "Of the keys");
     length(app, "--key-clearance", keyClearance, "Between key and socket");
     angle(app, "--key-lean", keyLean, "Draft of the keys");
-    app.add_option("--slits", slits, "Wedge slits at the sides")->type_name("N")->check(CLI::Range(0, 8));
+    app.add_option("--slits", slits, "Wedge slits at the sides")->type_name("N")->check(fromTo(0, 8));
     length(app, "--slit-depth", slitDepth, "Into the block");
     length(app, "--slit-width", slitWidth, "Along its face");
     length(app, "--slit-height", slitHeight, "In each half");
@@ -153,24 +151,23 @@ void MoldOptions::declareRegistration(CLI::App& app) {
 void MoldOptions::declareHoles(CLI::App& app) {
     app.add_option("--bolts", bolts, "Straight holes through both halves")
         ->type_name("N")
-        ->check(CLI::Range(0, 12));
+        ->check(fromTo(0, 12));
     length(app, "--bolt-diameter", boltDiameter, "Of the holes");
     // Shop practice: 1 mm of steel at least.
     app.add_option("--bolt-wall", boltWall, "Steel between bolt holes and the block's faces, 1 or more")
         ->type_name("MM")
-        ->check(CLI::Range(1.0, 1000.0));
+        ->check(fromTo(1.0, 1000.0));
     app.add_option("--bolt-clear", boltClear, "Steel between bolt holes and everything else, 1 or more")
         ->type_name("MM")
-        ->check(CLI::Range(1.0, 1000.0));
+        ->check(fromTo(1.0, 1000.0));
     app.add_option("--ejectors", ejectors, "Holes for ejector pins, for each cavity")
         ->type_name("N")
-        ->check(CLI::Range(0, 12));
+        ->check(fromTo(0, 12));
     length(app, "--ejector-diameter", ejectorDiameter, "Of the pins");
     app.add_option("--places", places,
                    "JSON file of features that are placed by hand, as mold.json lists them; auto: none")
         ->type_name("FILE|auto");
-    app.add_option("--ejector-half", ejectorSide, "The half that the pins pass through")
-        ->check(CLI::Range(1, 2));
+    app.add_option("--ejector-half", ejectorSide, "The half that the pins pass through")->check(fromTo(1, 2));
 }
 
 Result<MoldSettings> MoldOptions::afterPreset(MoldSettings settings) const {

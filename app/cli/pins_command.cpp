@@ -4,6 +4,7 @@
 #include "castability/directions.h"
 #include "castability/plane_search.h"
 #include "cli/load_part.h"
+#include "cli/option_values.h"
 #include "cli/size_options.h"
 #include "cli/state_options.h"
 #include "pins/suggested_pins.h"
@@ -138,7 +139,7 @@ Command pinsCommand() {
             app.add_option("IN", options->input, "Mesh file")->required();
             options->state.declare(app, false);
             app.add_option("--count", options->search.count, "How many pins at most")
-                ->check(CLI::Range(1, 200))
+                ->check(fromTo(1, 200))
                 ->capture_default_str();
             options->limits.declare(app);
             options->size.declare(app);

@@ -3,6 +3,7 @@
 
 #include "castability/plane_search.h"
 #include "cli/load_part.h"
+#include "cli/option_values.h"
 #include "cli/state_options.h"
 
 #include <CLI/CLI.hpp>
@@ -70,10 +71,10 @@ Command planeCommand() {
                 const auto options = std::make_shared<PlaneOptions>();
                 app.add_option("IN", options->input, "Mesh file")->required();
                 app.add_option("--count", options->search.count, "How many planes")
-                    ->check(CLI::Range(1, 200))
+                    ->check(fromTo(1, 200))
                     ->capture_default_str();
                 app.add_option("--draft", options->search.draftDegrees, "Draft angle, degrees")
-                    ->check(CLI::Range(0.0, 45.0))
+                    ->check(fromTo(0.0, 45.0))
                     ->capture_default_str();
                 options->limits.declare(app);
                 return [options](const Session& session) { return findBest(*options, session); };

@@ -17,7 +17,7 @@ void MoldOptions::declarePouring(CLI::App& app) {
     app.add_option("--overflow", overflows,
                    "Closed wells beside each solid of each cavity, for the material that arrives last")
         ->type_name("N")
-        ->check(CLI::Range(0, 12));
+        ->check(fromTo(0, 12));
     length(app, "--overflow-diameter", overflowDiameter, "Of the wells in the parting plane");
     length(app, "--overflow-channel", overflowChannel,
            "Width of the channel that leads there; 0.3 of the well's at most");

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/option_values.h"
 #include "cli/progress_printer.h"
 
 #include <CLI/CLI.hpp>
@@ -34,11 +35,6 @@ constexpr const char* exitCodes = "Exit codes:\n"
 
 constexpr std::size_t optionColumn = 32;
 
-/// The check alone: its name would only clutter the help.
-CLI::Validator silent(CLI::Validator check) {
-    return check.description("");
-}
-
 void addSharedOptions(CLI::App& app, SharedOptions& shared) {
     const std::string group = "Options of every command";
     app.add_option("--json", shared.jsonFile, "Write the results as JSON; - is standard output")
@@ -47,14 +43,14 @@ void addSharedOptions(CLI::App& app, SharedOptions& shared) {
     app.add_option("--threads", shared.threads,
                    "Use at most N threads; 0 is all cores. Results never depend on it")
         ->type_name("N")
-        ->check(silent(CLI::NonNegativeNumber))
+        ->check(atLeast0())
         ->group(group);
     app.add_option("--seed", shared.seed, "Start random choices from N; the default is 1")
         ->type_name("N")
         ->group(group);
     app.add_option("--time-limit", shared.timeLimit, "Stop after this time, with exit code 5")
         ->type_name("SECONDS")
-        ->check(silent(CLI::PositiveNumber))
+        ->check(above0())
         ->group(group);
     app.add_flag("--quiet", shared.quiet, "Show neither progress nor results, only what went wrong")
         ->group(group);
@@ -107,6 +103,10 @@ ExitCode parseAndRun(int argc, const char* const* argv) {
     program.set_version_flag("--version", "moldwright-cli " MOLDWRIGHT_VERSION, "Show the version");
     program.set_help_flag("-h,--help", "Show this help");
     program.footer(std::string("moldwright-cli COMMAND --help explains a command.\n\n") + exitCodes);
+    program.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return std::string("moldwright-cli: ") + error.what() +
+               "\nmoldwright-cli COMMAND --help tells what there is.\n";
+    });
     Request request;
     for (const Command& command : commands())
         addCommand(program, command, request);

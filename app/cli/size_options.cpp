@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "cli/size_options.h"
 
+#include "cli/option_values.h"
 #include "mesh/measures.h"
 
 #include <CLI/CLI.hpp>
@@ -21,11 +22,8 @@ void SizeOptions::declare(CLI::App& app) {
     app.add_option("--units", units, "Unit of the file's numbers")
         ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
         ->capture_default_str();
-    CLI::Option* factor =
-        app.add_option("--scale", scale, "Factor on the file's size")->check(CLI::PositiveNumber);
-    app.add_option("--size", size, "Longest side of the part, mm")
-        ->check(CLI::PositiveNumber)
-        ->excludes(factor);
+    CLI::Option* factor = app.add_option("--scale", scale, "Factor on the file's size")->check(above0());
+    app.add_option("--size", size, "Longest side of the part, mm")->check(above0())->excludes(factor);
 }
 
 Placement SizeOptions::placementFor(const IndexedMesh& source) const {

@@ -2,6 +2,7 @@
 #include "cli/state_options.h"
 
 #include "castability/directions.h"
+#include "cli/option_values.h"
 
 #include <CLI/CLI.hpp>
 
@@ -33,7 +34,7 @@ void StateOptions::declare(CLI::App& app, bool planeRequired) {
     app.add_option("--d1", d1, "Removal direction of side 1 (n·x > o)")->type_name("X Y Z")->expected(3);
     app.add_option("--d2", d2, "Removal direction of side 2")->type_name("X Y Z")->expected(3);
     app.add_option("--draft", draft, "Draft angle that every face needs, degrees")
-        ->check(CLI::Range(0.0, 45.0))
+        ->check(fromTo(0.0, 45.0))
         ->capture_default_str();
 }
 
@@ -95,14 +96,14 @@ Result<MoldState> StateOptions::moldState() const {
 
 void LimitOptions::declare(CLI::App& app) {
     app.add_option("--max-tilt", maxTilt, "Largest angle of a direction to the plane's normal, degrees")
-        ->check(CLI::Range(0.0, 80.0))
+        ->check(fromTo(0.0, 80.0))
         ->capture_default_str();
     CLI::Option* option =
         app.add_option("--axis", axis, "Axis that both directions keep to, whichever way round")
             ->type_name("X Y Z")
             ->expected(3);
     app.add_option("--cone", cone, "Largest angle of a direction to the axis, degrees")
-        ->check(CLI::Range(0.0, 80.0))
+        ->check(fromTo(0.0, 80.0))
         ->capture_default_str()
         ->needs(option);
 }

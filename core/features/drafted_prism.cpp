@@ -17,21 +17,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-Vector2d outwardNormal(const PlanShape& base, std::size_t edge) {
-    const Vector2d along = (base[(edge + 1) % base.size()] - base[edge]).normalized();
-    return {along.y(), -along.x()};
-}
-
-/// Where the lines of two walls meet, `inset` mm within their feet.
-Vector2d insetCorner(const Vector2d& corner, const Vector2d& m0, double inset0, const Vector2d& m1,
-                     double inset1) {
-    const double turn = m0.x() * m1.y() - m0.y() * m1.x();
-    constexpr double straight = 1e-6;
-    if (std::abs(turn) < straight)
-        return corner - m0 * (inset0 + inset1) / 2;
-    return corner - Vector2d(inset0 * m1.y() - inset1 * m0.y(), inset1 * m0.x() - inset0 * m1.x()) / turn;
-}
-
 const DraftedPrism::Opening* openingAt(const std::vector<DraftedPrism::Opening>& openings, std::size_t edge) {
     const auto found = std::find_if(openings.begin(), openings.end(),
                                     [edge](const DraftedPrism::Opening& o) { return o.edge == edge; });
@@ -235,20 +220,20 @@ Result<DraftedPrism> draftedPrism(const PrismRequest& request) {
         Result<std::vector<double>> slopes = slopesOf(request, side);
         if (!slopes)
             return std::unexpected(slopes.error());
-        const std::size_t n = prism.base.size();
-        for (std::size_t k = 0; k < n; ++k) {
-            const std::size_t before = (k + n - 1) % n;
-            const Vector2d corner =
-                insetCorner(prism.base[k], outwardNormal(prism.base, before), height * (*slopes)[before],
-                            outwardNormal(prism.base, k), height * (*slopes)[k]);
+        std::vector<double> insets;
+        for (const double slope : *slopes)
+            insets.push_back(height * slope);
+        for (const Vector2d& corner : insetShape(prism.base, insets))
             prism.lid[side].emplace_back(onGrid(corner.x(), request.grid), onGrid(corner.y(), request.grid));
-        }
         if (!keepsItsEdges(prism.base, prism.lid[side]))
-            return failure(ErrorCode::Impossible,
-                           MW_TEXT("Mold",
-                                   "A channel {0} mm deep closes before its floor: it is too narrow for "
-                                   "the lean that its walls need."),
-                           {readable(height)});
+            return request.closed.text.empty()
+                       ? failure(
+                             ErrorCode::Impossible,
+                             MW_TEXT("Mold",
+                                     "A channel {0} mm deep closes before its floor: it is too narrow for "
+                                     "the lean that its walls need. Make it wider, or take less draft."),
+                             {readable(height)})
+                       : failure(ErrorCode::Impossible, request.closed.text, request.closed.arguments);
         prism.slope[side] = *std::move(slopes);
     }
     return prism;

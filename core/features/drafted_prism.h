@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #pragma once
 
+#include "base/message.h"
 #include "base/result.h"
 #include "castability/mold_state.h"
 #include "features/plan_shape.h"
@@ -52,6 +53,7 @@ struct PrismRequest {
     std::array<std::vector<double>, 2> slopes;
     double leastSlope = -1e3; ///< walls lean at least this much, even where a tilted direction asks for less
     double grid = 0;          ///< mm, a power of two; all points are rounded to multiples of it
+    Message closed;           ///< told of a lid that closes too early; by itself it speaks of a channel
 };
 
 /// The prism, or why there is none: walls that would have to lie flat (Impossible), or a lid that closes

@@ -41,6 +41,16 @@ double distanceToEdge(const PlanShape& a, const Vector2d& from, const Vector2d& 
     return least;
 }
 
+/// Where the lines of two walls meet, `inset` mm within their feet.
+Vector2d insetCorner(const Vector2d& corner, const Vector2d& m0, double inset0, const Vector2d& m1,
+                     double inset1) {
+    const double turn = m0.x() * m1.y() - m0.y() * m1.x();
+    constexpr double straight = 1e-6;
+    if (std::abs(turn) < straight)
+        return corner - m0 * (inset0 + inset1) / 2;
+    return corner - Vector2d(inset0 * m1.y() - inset1 * m0.y(), inset1 * m0.x() - inset0 * m1.x()) / turn;
+}
+
 } // namespace
 
 PlanShape planHull(const Points& V) {
@@ -135,6 +145,21 @@ PlanShape planCircle(const Vector2d& centre, double radius, int corners) {
 
 PlanShape planRectangle(const Vector2d& low, const Vector2d& high) {
     return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+Vector2d outwardNormal(const PlanShape& shape, std::size_t edge) {
+    const Vector2d along = (shape[(edge + 1) % shape.size()] - shape[edge]).normalized();
+    return {along.y(), -along.x()};
+}
+
+PlanShape insetShape(const PlanShape& shape, const std::vector<double>& insets) {
+    PlanShape inset;
+    for (std::size_t k = 0; k < shape.size(); ++k) {
+        const std::size_t before = (k + shape.size() - 1) % shape.size();
+        inset.push_back(insetCorner(shape[k], outwardNormal(shape, before), insets[before],
+                                    outwardNormal(shape, k), insets[k]));
+    }
+    return inset;
 }
 
 } // namespace moldwright

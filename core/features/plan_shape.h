@@ -35,4 +35,11 @@ using PlanShape = std::vector<Eigen::Vector2d>;
 /// The rectangle between two corners.
 [[nodiscard]] PlanShape planRectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 
+/// Unit vector that points out of the shape across an edge; edge k runs from corner k to the next.
+[[nodiscard]] Eigen::Vector2d outwardNormal(const PlanShape& shape, std::size_t edge);
+
+/// A shape with each edge moved inwards by its inset, mm, outwards where that is below 0; corners stand where
+/// the moved edges meet.
+[[nodiscard]] PlanShape insetShape(const PlanShape& shape, const std::vector<double>& insets);
+
 } // namespace moldwright

@@ -35,11 +35,6 @@ std::optional<double> missingToStock(double length, const std::vector<double>& s
     return least;
 }
 
-Vector2d outwardNormal(const PlanShape& outline, std::size_t edge) {
-    const Vector2d along = (outline[(edge + 1) % outline.size()] - outline[edge]).normalized();
-    return {along.y(), -along.x()};
-}
-
 /// Inset over height of an outer wall whose foot looks along m. The half, or the form about it, leaves along
 /// d: so with draft its walls widen from the plane, and with less than 0 they narrow.
 Result<double> outerSlope(const Vector2d& m, int side, const MoldSettings& settings,

@@ -2,6 +2,7 @@
 #include "mold/hollow_casting.h"
 
 #include "base/parallel.h"
+#include "base/stop_point.h"
 #include "mesh/closest_point.h"
 #include "mesh/measures.h"
 
@@ -70,6 +71,23 @@ private:
     std::vector<std::vector<double>> m_crossings;
 };
 
+/// Places of a column from `low` to `high`, a step apart, that lie deeper than the wall. Distance changes no
+/// faster than the place: from one that is far from the wall's inner face to either side, the next are known.
+double placesWithin(const ClosestPoint& nearest, const Vector2d& p, const std::array<double, 2>& range,
+                    double wall, double step) {
+    const auto [low, high] = range;
+    const int count = static_cast<int>(std::ceil((high - low) / step - 0.5));
+    double within = 0;
+    for (int i = 0; i < count;) {
+        stopPoint();
+        const double beyond = (nearest.distance({p.x(), p.y(), low + (i + 0.5) * step}) - wall) / step;
+        const int same = std::clamp(static_cast<int>(std::abs(beyond) - 0.5), 0, count - i - 1);
+        within += std::clamp(beyond + 0.5, 0.0, 1.0) * (same + 1);
+        i += same + 1;
+    }
+    return within;
+}
+
 } // namespace
 
 double shellVolume(const IndexedMesh& solid, double wall) {
@@ -81,12 +99,10 @@ double shellVolume(const IndexedMesh& solid, double wall) {
     constexpr std::size_t grain = 64;
     parallelFor(columns.count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t column = begin; column < end; ++column) {
-            const Vector2d p = columns.place(column);
             const std::vector<double>& crossings = columns.crossings(column);
             for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
-                for (double z = crossings[k] + step / 2; z < crossings[k + 1]; z += step)
-                    inner[column] +=
-                        std::clamp((nearest.distance({p.x(), p.y(), z}) - wall) / step + 0.5, 0.0, 1.0);
+                inner[column] += placesWithin(nearest, columns.place(column),
+                                              {crossings[k], crossings[k + 1]}, wall, step);
         }
     });
     double places = 0;

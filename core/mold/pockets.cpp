@@ -16,8 +16,9 @@ using Eigen::Vector2d;
 
 constexpr double leanMargin = 0.5; // degrees
 
-/// Round the insert as it is seen along the normal, `wider` mm from it.
-PlanShape outlineRound(const PocketSettings& pockets, const Vector2d& place, double wider) {
+/// The floor: round the insert as it is seen along the normal, with its clearance.
+PlanShape floorOf(const PocketSettings& pockets, const Vector2d& place) {
+    const double wider = pockets.clearance;
     if (pockets.shape == PocketShape::Rectangle) {
         const Vector2d half = Vector2d(pockets.length, pockets.width) / 2 + Vector2d::Constant(wider);
         return planRectangle(place - half, place + half);
@@ -27,24 +28,38 @@ PlanShape outlineRound(const PocketSettings& pockets, const Vector2d& place, dou
     return planCircle(place, (pockets.width / 2 + wider) / std::cos(std::numbers::pi / corners), corners);
 }
 
-/// The most that one of its walls leans over its depth, mm; 0 where a wall would have to lie flat.
-double widening(const PocketSettings& pockets, const Directions& directions, double draftDegrees) {
-    double most = 0;
+/// How far each wall leans, inset over depth: no wall overhangs, for the insert is laid in along the normal.
+/// The same in both halves, so that both floors fit. None where a wall would have to lie flat.
+std::optional<std::vector<double>> leanOfWalls(const PocketSettings& pockets, const PlanShape& floor,
+                                               const Directions& directions, double draftDegrees) {
+    std::vector<double> lean(floor.size(), 0);
     for (const int side : {1, 2})
-        for (int k = 0; k < circleCorners && pockets.isIn(side); ++k) {
-            const double angle = 2 * std::numbers::pi * k / circleCorners;
-            const std::optional<double> slope = wallSlope({std::cos(angle), std::sin(angle)}, side,
-                                                          {directions.of(side)}, draftDegrees + leanMargin);
-            most = std::max(most, slope.value_or(0) * pockets.depth);
+        for (std::size_t edge = 0; edge < floor.size() && pockets.isIn(side); ++edge) {
+            const std::optional<double> slope =
+                wallSlope(outwardNormal(floor, edge), side, {directions.of(side)}, draftDegrees + leanMargin);
+            if (!slope)
+                return std::nullopt;
+            lean[edge] = std::max(lean[edge], *slope);
         }
-    return most;
+    return lean;
+}
+
+/// The opening in the parting plane over a floor.
+PlanShape mouthOf(const PlanShape& floor, std::vector<double> lean, double depth) {
+    for (double& inset : lean)
+        inset *= -depth;
+    return insetShape(floor, lean);
 }
 
 } // namespace
 
 PlanShape pocketRoom(const PocketSettings& pockets, const Vector2d& place, const Directions& directions,
                      double draftDegrees) {
-    return outlineRound(pockets, place, pockets.clearance + widening(pockets, directions, draftDegrees));
+    const PlanShape floor = floorOf(pockets, place);
+    return mouthOf(
+        floor,
+        leanOfWalls(pockets, floor, directions, draftDegrees).value_or(std::vector<double>(floor.size(), 0)),
+        pockets.depth);
 }
 
 std::vector<Vector2d> pocketPlaces(const PocketSettings& pockets, const Directions& directions,
@@ -72,13 +87,19 @@ std::vector<Vector2d> pocketPlaces(const PocketSettings& pockets, const Directio
 
 Result<InsertPocket> insertPocket(const PocketSettings& pockets, const Vector2d& place,
                                   const Directions& directions, double draftDegrees, double grid) {
+    const PlanShape floor = floorOf(pockets, place);
+    const auto lean = leanOfWalls(pockets, floor, directions, draftDegrees);
+    if (!lean)
+        return failure(ErrorCode::Impossible,
+                       MW_TEXT("Mold", "A pocket's wall would have to lie flat to leave along the removal "
+                                       "directions with {0}°."),
+                       {readable(draftDegrees + leanMargin)});
     PrismRequest request;
-    request.base = pocketRoom(pockets, place, directions, draftDegrees);
-    for (const int side : {1, 2})
+    request.base = mouthOf(floor, *lean, pockets.depth);
+    for (const int side : {1, 2}) {
         request.height[side == 1 ? 0 : 1] = pockets.isIn(side) ? pockets.depth : 0;
-    request.directions = {std::vector{directions.d1}, std::vector{directions.d2}};
-    request.draftDegrees = draftDegrees + leanMargin;
-    request.leastSlope = 0;
+        request.slopes[side == 1 ? 0 : 1] = *lean;
+    }
     request.grid = grid;
     Result<DraftedPrism> prism = draftedPrism(request);
     if (!prism)

@@ -32,16 +32,20 @@ double socketRadius(const KeySettings& keys, bool odd, double shift) {
 
 /// Its axis halves the angle ψ between d1 and −d2; walls that lean ψ/2 more than the draft against the axis
 /// have the draft against both.
-Result<DraftedPrism> frustum(const PlanShape& base, double height, const Directions& directions, double draft,
-                             double grid) {
+Result<DraftedPrism> frustum(const Vector2d& place, double radius, double height,
+                             const Directions& directions, double draft, double grid) {
     const Eigen::Vector3d axis = (directions.d1 - directions.d2).normalized();
     const double halfAngle = degrees(std::acos(std::clamp(axis.dot(directions.d1), -1.0, 1.0)));
     PrismRequest request;
-    request.base = base;
+    request.base = planCircle(place, radius, circleCorners);
     request.height = {height, 0};
     request.directions[0] = {axis};
     request.draftDegrees = draft + halfAngle;
     request.grid = grid;
+    request.closed = {
+        MW_TEXT("Mold", "A key {0} mm wide whose walls lean {1}° comes to a point before it is {2} mm high. "
+                        "Make it wider, lower, or its draft smaller."),
+        {readable(2 * radius), readable(request.draftDegrees), readable(height)}};
     return draftedPrism(request);
 }
 
@@ -110,8 +114,7 @@ Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const
     key.place = place;
     key.diameter = diameterOf(keys, odd);
     const double draft = std::max(keys.draft, draftDegrees);
-    Result<DraftedPrism> frustum1 =
-        frustum(planCircle(place, key.diameter / 2, circleCorners), keys.height, directions, draft, grid);
+    Result<DraftedPrism> frustum1 = frustum(place, key.diameter / 2, keys.height, directions, draft, grid);
     if (!frustum1)
         return std::unexpected(frustum1.error());
     key.key = *std::move(frustum1);
@@ -123,8 +126,8 @@ Result<RegistrationKey> registrationKey(const KeySettings& keys, bool odd, const
     // the circle through its corners.
     const double gap =
         keys.clearance * std::sqrt(1 + steepest * steepest) / std::cos(radians(180.0 / circleCorners));
-    Result<DraftedPrism> socket = frustum(planCircle(place, key.diameter / 2 + gap, circleCorners),
-                                          keys.height + keys.clearance, directions, draft, grid);
+    Result<DraftedPrism> socket =
+        frustum(place, key.diameter / 2 + gap, keys.height + keys.clearance, directions, draft, grid);
     if (!socket)
         return std::unexpected(socket.error());
     key.socket = *std::move(socket);
@@ -188,6 +191,11 @@ Result<WedgeSlit> wedgeSlit(const SlitSettings& slits, const Vector2d& place, co
     request.draftDegrees = draftDegrees + 0.5;
     request.leastSlope = 0;
     request.grid = grid;
+    request.closed = {
+        MW_TEXT("Mold",
+                "A wedge slit of {0} by {1} mm cannot be {2} mm high in each half with the draft that "
+                "its walls need. Make it lower, or larger."),
+        {readable(slits.width), readable(slits.depth), readable(slits.height)}};
     Result<DraftedPrism> prism = draftedPrism(request);
     if (!prism)
         return std::unexpected(prism.error());

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -212,34 +213,6 @@ private:
     std::optional<ClosestPoint> m_nearest;
 };
 
-/// Faces thinner than what counts as touching, where a bore's wall ends at the cavity: they go with the wall.
-void addRimSlivers(const IndexedMesh& half, std::vector<int>& stuck, std::vector<int>& free) {
-    const double thin = touchingDistance(half);
-    std::set<std::array<int, 2>> edges;
-    const auto edge = [&](int f, int k) {
-        const auto [low, high] = std::minmax(half.F(f, k), half.F(f, (k + 1) % 3));
-        return std::array{low, high};
-    };
-    for (std::size_t next = 0; next < free.size() && !stuck.empty(); ++next) {
-        for (int k = 0; k < 3; ++k)
-            edges.insert(edge(free[next], k));
-        if (next + 1 < free.size())
-            continue;
-        std::erase_if(stuck, [&](int f) {
-            double longest = 0;
-            bool beside = false;
-            for (int k = 0; k < 3; ++k) {
-                longest = std::max(longest, (half.corner(f, (k + 1) % 3) - half.corner(f, k)).norm());
-                beside = beside || edges.contains(edge(f, k));
-            }
-            if (!beside || doubleAreaVector(half, f).norm() > thin * longest)
-                return false;
-            free.push_back(f);
-            return true;
-        });
-    }
-}
-
 constexpr std::size_t grain = 4096;
 
 /// The faces of a mesh for which `test` holds, in ascending order.
@@ -256,6 +229,44 @@ std::vector<int> facesThat(const IndexedMesh& mesh, const std::function<bool(int
         if (holds[f] != 0)
             faces.push_back(static_cast<int>(f));
     return faces;
+}
+
+using Edge = std::array<int, 2>;
+
+Edge edgeOf(const IndexedMesh& mesh, int f, int k) {
+    const auto [low, high] = std::minmax(mesh.F(f, k), mesh.F(f, (k + 1) % 3));
+    return {low, high};
+}
+
+/// Of these faces those that are thinner than what counts as touching and stand, over none but such, beside a
+/// free one: slivers where a bore's wall ends at the cavity. They go with the wall.
+std::vector<int> rimSlivers(const IndexedMesh& half, const std::vector<int>& stuck,
+                            const std::vector<int>& free) {
+    const double thin = touchingDistance(half);
+    std::map<Edge, std::vector<int>> thinAt;
+    for (const int f : facesThat(half, [&](int face) {
+             double longest = 0;
+             for (int k = 0; k < 3; ++k)
+                 longest = std::max(longest, (half.corner(face, (k + 1) % 3) - half.corner(face, k)).norm());
+             return doubleAreaVector(half, face).norm() <= thin * longest;
+         }))
+        for (int k = 0; k < 3; ++k)
+            thinAt[edgeOf(half, f, k)].push_back(f);
+    std::set<int> reached(free.begin(), free.end());
+    std::vector<int> next = free;
+    while (!next.empty()) {
+        const int f = next.back();
+        next.pop_back();
+        for (int k = 0; k < 3; ++k)
+            if (const auto beside = thinAt.find(edgeOf(half, f, k)); beside != thinAt.end())
+                for (const int g : beside->second)
+                    if (reached.insert(g).second)
+                        next.push_back(g);
+    }
+    std::vector<int> slivers;
+    std::copy_if(stuck.begin(), stuck.end(), std::back_inserter(slivers),
+                 [&](int f) { return reached.contains(f); });
+    return slivers;
 }
 
 std::vector<int> facesNotLeaving(const IndexedMesh& half, const Obstacles& obstacles, const Vector3d& d,
@@ -278,8 +289,12 @@ std::vector<int> facesNotLeaving(const IndexedMesh& half, const Obstacles& obsta
     std::vector<int> held;
     for (std::size_t i = 0; i < stuck.size(); ++i)
         (isFree[i] != 0 ? free : held).push_back(stuck[i]);
-    addRimSlivers(half, held, free);
-    return held;
+    if (held.empty())
+        return held;
+    const std::vector<int> slivers = rimSlivers(half, held, free);
+    std::vector<int> left;
+    std::set_difference(held.begin(), held.end(), slivers.begin(), slivers.end(), std::back_inserter(left));
+    return left;
 }
 
 /// Seen along d, the face is wide enough for a ray to meet it where it should.

@@ -115,6 +115,9 @@ TEST_F(Check, WrongUsage) {
     EXPECT_EQ(test::runProgram({"check"}).exitCode, 2);
     EXPECT_EQ(test::runProgram({"check", file, "--threads", "-1"}).exitCode, 2);
     EXPECT_EQ(test::runProgram({"check", file, "--time-limit", "soon"}).exitCode, 2);
+    const test::Run zero = test::runProgram({"check", file, "--time-limit", "0"});
+    EXPECT_EQ(zero.err, "moldwright-cli: --time-limit: 0 is not a number above 0.\n"
+                        "moldwright-cli COMMAND --help tells what there is.\n");
     for (const std::vector<std::string>& half :
          {std::vector<std::string>{"--repair"}, std::vector<std::string>{"--out", in("b.ply")},
           std::vector<std::string>{"--repair", "--out", in("b.step")}}) {

@@ -166,6 +166,17 @@ TEST(MoldFeatures, AKeyLeansAsTheDirectionsAsk) {
         }
 }
 
+TEST(MoldFeatures, AKeyThatComesToAPointIsRefusedByName) {
+    MoldSettings settings;
+    settings.keys.count = 2;
+    settings.keys.draft = 44;
+    const Result<Mold> mold = moldOf(frusta(40, 30, 5, 3, 0.1), settings);
+    ASSERT_FALSE(mold);
+    EXPECT_EQ(mold.error().code, ErrorCode::Impossible);
+    EXPECT_TRUE(mold.error().english().starts_with("A key 6 mm wide whose walls lean 44°"))
+        << mold.error().english();
+}
+
 TEST(MoldFeatures, AKeyWithTooLittleLeanWouldHold) {
     // Built as asked for, without the correction: half 1 opened first catches on it.
     const Directions oblique = sheared(ball(15, 4), 0.35, 0.35).state.directions;

@@ -102,6 +102,31 @@ TEST(Pockets, FollowObliqueDirections) {
     }
 }
 
+TEST(Pockets, OfEveryShapeFollowSteepDirections) {
+    const KnownCast cast = sheared(ball(15, 3), 0.55, -0.3);
+    for (const PocketShape shape : {PocketShape::Round, PocketShape::Hexagon, PocketShape::Rectangle})
+        for (const int side : {0, 1, 2})
+            for (const double degrees : {0.0, 30.0, 75.0}) {
+                const Eigen::AngleAxisd turn(radians(degrees), Vector3d::UnitZ());
+                const Directions directions{turn * cast.state.directions.d1, turn * cast.state.directions.d2};
+                PocketSettings settings = withPockets(1, shape, side).pockets;
+                const Result<InsertPocket> pocket =
+                    insertPocket(settings, {3, 4}, directions, 1, 1.0 / 65536);
+                ASSERT_TRUE(pocket) << pocket.error().english();
+                const double room =
+                    (shape == PocketShape::Rectangle ? std::min(settings.width, settings.length)
+                                                     : settings.width) /
+                    2;
+                for (const PlanShape& lid : pocket->prism.lid)
+                    for (std::size_t k = 0; k < lid.size(); ++k) {
+                        const double to = outwardNormal(lid, k).dot(lid[k] - Vector2d(3, 4));
+                        EXPECT_GE(to, room + settings.clearance - 1e-4) << "the insert has room at its floor";
+                        EXPECT_GE(outwardNormal(lid, k).dot(pocket->prism.base[k] - lid[k]), -1e-4)
+                            << "and on its way there";
+                    }
+            }
+}
+
 TEST(Pockets, StandWhereTheyArePutAndAreRefusedInTheWay) {
     MoldSettings settings = withPockets(2, PocketShape::Round, 2);
     settings.placed = {{Placeable::Pocket, 1, {-40, 3}}};

@@ -21,6 +21,48 @@ Mold moldOf(const KnownCast& cast) {
     return buildMold(test::trayOf(cast), 1, {}).value();
 }
 
+/// A block's upper half with a straight hole through it.
+IndexedMesh boredHalf() {
+    const Block block = uprightBlock({Vector3d(-20, -20, -10), Vector3d(20, 20, 10)});
+    HalfSurfaces surfaces;
+    surfaces.voids.push_back(
+        {std::make_shared<const IndexedMesh>(boltSurface(planCircle({3, 4}, 2, 32), block.end(1)))});
+    return assembleHalf(1, surfaces, block).value();
+}
+
+/// The same with a fold hardly thicker than rounding where the parting face meets the hole's wall, not at the
+/// wall itself but one sliver away.
+IndexedMesh withFoldAtRim(IndexedMesh half) {
+    constexpr double size = 1e-5; // mm
+    const Vector3d axis(3, 4, 0);
+    for (int f = 0; f < half.faceCount(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int a = half.F(f, k);
+            const int b = half.F(f, (k + 1) % 3);
+            const int c = half.F(f, (k + 2) % 3);
+            const auto atRim = [&](int v) {
+                return half.V(v, 2) == 0 && std::abs((half.point(v) - axis).norm() - 2) < 0.1;
+            };
+            if (half.V(c, 2) != 0 || !atRim(a) || !atRim(b) || atRim(c))
+                continue;
+            const Vector3d middle = (half.point(a) + half.point(b)) / 2;
+            const Vector3d outwards = (middle - axis).normalized();
+            const int first = half.vertexCount();
+            half.V.conservativeResize(first + 2, 3);
+            half.V.row(first) = (middle + 2 * size * outwards).transpose();
+            half.V.row(first + 1) = (middle + size * outwards + Vector3d(0, 0, size)).transpose();
+            const auto last = half.F.rows();
+            half.F.conservativeResize(last + 4, 3);
+            half.F.row(f) << a, b, first;
+            half.F.row(last) << a, first, first + 1;
+            half.F.row(last + 1) << first, b, first + 1;
+            half.F.row(last + 2) << a, first + 1, c;
+            half.F.row(last + 3) << first + 1, b, c;
+            return half;
+        }
+    return half;
+}
+
 } // namespace
 
 TEST(Release, IsRefusedAlongAnotherDirection) {
@@ -64,15 +106,26 @@ TEST(Release, NeedsASoundHalf) {
 TEST(Release, OfAStraightHoleAsksForDraftOnlyWhereSomethingStandsInIt) {
     const Block block = uprightBlock({Vector3d(-20, -20, -10), Vector3d(20, 20, 10)});
     const PlanShape outline = planCircle({3, 4}, 2, 32);
-    HalfSurfaces surfaces;
-    surfaces.voids.push_back({std::make_shared<const IndexedMesh>(boltSurface(outline, block.end(1)))});
-    const IndexedMesh half = assembleHalf(1, surfaces, block).value();
+    const IndexedMesh half = boredHalf();
     const IndexedMesh other = box({-20, -20, -10}, {20, 20, 0});
     const auto stuck = [&](const IndexedMesh& cast) {
         return examineRelease(half, other, cast, Vector3d::UnitZ(), 1).stuckFaces.size();
     };
     EXPECT_EQ(stuck(box({-8, -8, -2}, {-6, -6, -1})), 0U);
     EXPECT_EQ(stuck(boltSolid(outline, block)), 64U) << "a plug that fills it holds by friction";
+}
+
+TEST(Release, TakesSliversAtABoresRimAsItsWall) {
+    const IndexedMesh half = boredHalf();
+    const IndexedMesh folded = withFoldAtRim(half);
+    ASSERT_EQ(folded.faceCount(), half.faceCount() + 4);
+    const IndexedMesh other = box({-20, -20, -10}, {20, 20, 0});
+    const IndexedMesh cast = box({-8, -8, -2}, {-6, -6, -1});
+    EXPECT_TRUE(examineRelease(folded, other, cast, Vector3d::UnitZ(), 1).stuckFaces.empty());
+    // Where the wall is held, so are they.
+    const Block block = uprightBlock({Vector3d(-20, -20, -10), Vector3d(20, 20, 10)});
+    const IndexedMesh plug = boltSolid(planCircle({3, 4}, 2, 32), block);
+    EXPECT_GT(examineRelease(folded, other, plug, Vector3d::UnitZ(), 1).stuckFaces.size(), 64U);
 }
 
 TEST(Release, IsTheSameForAnyNumberOfThreads) {
