@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The builder's stage that finds room: what stands in the plane, and a block that has place for all of it.
+// The builder's stage that finds room: a block that has place for all that stands in the plane.
 #include "mold/balanced_runners.h"
 #include "mold/circle_layout.h"
 #include "mold/mold_builder.h"
@@ -12,21 +12,6 @@ namespace moldwright {
 using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-namespace {
-
-/// A gate from its end in the cavity to the parting line, and as far beyond; in the kind's coordinates.
-PlanShape gateFoot(const CavityKind& kind, const Gate& gate) {
-    const Vector2d tip = kind.fromInlet(gate.tip);
-    const double half = gate.width * (0.5 + (jointAttempts - 1) * jointNudge);
-    PlanShape foot =
-        planRectangle({tip.x() - half, tip.y() - 1.3 * gate.drop}, {tip.x() + half, tip.y() + gate.drop});
-    for (Vector2d& p : foot)
-        p = kind.toInlet(p);
-    return foot;
-}
-
-} // namespace
 
 std::vector<MoldBuilder::OutwardHole> MoldBuilder::outwardHoles(const CavityCopy& copy) const {
     std::vector<OutwardHole> holes;
@@ -70,60 +55,6 @@ Obstacles MoldBuilder::planObstacles(const Block& block) const {
     if (inPlane())
         addChannelObstacles(obstacles, block.plan().max().y());
     return obstacles;
-}
-
-void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const {
-    const auto addUpwards = [&](const Vector2d& from, double half) {
-        obstacles.push_back(planRectangle({from.x() - half, from.y()}, {from.x() + half, faceY}));
-    };
-    // Where a cavity is pointed, the foot of its gate stands out on both sides.
-    for (const CavityCopy& copy : m_layout.copies)
-        for (const Gate& gate : (*m_entries)[copy.kind].gates)
-            obstacles.push_back(movedPlan(gateFoot(kinds()[copy.kind], gate), copy.offset));
-    const double funnel = widestOfSpout() / 2;
-    const double nudged = (jointAttempts - 1) * jointNudge * m_widths.gate; // it may be joined so far aside
-    if (spoutEach())
-        for (const CavityCopy& copy : m_layout.copies) {
-            for (const Gate& gate : (*m_entries)[copy.kind].gates)
-                addUpwards(gate.tip + copy.offset, funnel + nudged);
-            for (const VentedTrap& vented : (*m_entries)[copy.kind].traps)
-                addUpwards(vented.top.head<2>() + copy.offset, m_mold.settings.vents.diameter);
-        }
-    else if (star()) {
-        addUpwards(m_layout.hub, std::max(funnel, m_widths.main / 2));
-        for (const Vector2d& arm : m_layout.arms)
-            obstacles.push_back(starArm(m_layout.hub, arm, m_layout.armEnd, m_widths.runner));
-    } else if (balanced()) {
-        addRunnerObstacles(obstacles);
-        addUpwards(m_layout.tree->at, std::max(funnel, m_widths.main / 2));
-    } else {
-        addRunnerObstacles(obstacles);
-        addUpwards({m_layout.mainAxis, m_layout.runnerAxes.front() - m_widths.runner / 2 - m_widths.beside},
-                   std::max(funnel, m_widths.main / 2));
-    }
-}
-
-void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
-    const ChannelWidths& widths = m_widths;
-    AlignedBox2d all;
-    for (const CavityCopy& copy : m_layout.copies)
-        for (const Vector2d& p : kinds()[copy.kind].hull)
-            all.extend(Vector2d(p + copy.offset));
-    all.extend(Vector2d(m_layout.mainAxis, all.center().y())); // staggered, it stands beside all of them
-    if (balanced())
-        for (PlanShape& strip : stripsOf(*m_layout.tree, treeWidths(widths)))
-            obstacles.push_back(std::move(strip));
-    else
-        for (const double axis : m_layout.runnerAxes)
-            obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
-                                              {all.max().x() + widths.gate, axis + widths.runner / 2}));
-    for (const CavityCopy& copy : m_layout.copies)
-        for (const Gate& gate : (*m_entries)[copy.kind].gates) {
-            const Vector2d tip = gate.tip + copy.offset;
-            obstacles.push_back(
-                planRectangle({tip.x() - widths.gate / 2, tip.y()},
-                              {tip.x() + widths.gate / 2, copy.offset.y() + endOfStubs(copy.kind)}));
-        }
 }
 
 Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {

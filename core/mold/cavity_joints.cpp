@@ -166,22 +166,6 @@ private:
         return std::unexpected(std::move(error));
     }
 
-    /// How high a place of the plane is while the mold is filled.
-    [[nodiscard]] double levelOf(const Vector2d& place) const { return place.dot(m_plan.up.head<2>()); }
-
-    /// Where a vent in the plane begins: the trap's highest point of the parting line, or by hand the line's
-    /// highest over the place.
-    [[nodiscard]] std::optional<Vector2d> topInPlane(const VentedTrap& vented) const {
-        const IndexedMesh& cast = m_kind.cast;
-        if (vented.byHand)
-            return topOver(m_kind.outlines, vented.top.x(), vented.trap.points);
-        std::optional<Vector2d> best;
-        for (const int v : vented.trap.points)
-            if (cast.V(v, 2) == 0 && (!best || levelOf(cast.V.row(v).head<2>()) > levelOf(*best)))
-                best = cast.V.row(v).head<2>().transpose();
-        return best;
-    }
-
     /// Where a channel has left the outline, which slants where a hand put it or the mold leans.
     [[nodiscard]] double exitInPlane(const Vector2d& tip, double width) const {
         constexpr double steepest = 1.5; // widths
@@ -194,10 +178,10 @@ private:
     /// From there straight up; `withAir`: also where that leaves more than may stay.
     bool ventInPlane(const VentedTrap& vented, bool withAir) {
         const VentSettings& vents = m_plan.settings->vents;
-        const std::optional<Vector2d> tip = topInPlane(vented);
+        const std::optional<Vector2d> tip = topInPlane(m_kind, vented, m_plan.up);
         if (!tip)
             return false;
-        const double left = airAbove(m_kind.cast, m_plan.up, vented.trap, levelOf(*tip));
+        const double left = airAbove(m_kind.cast, m_plan.up, vented.trap, tip->dot(m_plan.up.head<2>()));
         if (left > vents.smallestTrap && !withAir)
             return false;
         const double width = vents.diameter * (1 + 0.02 * m_nudge);
@@ -370,6 +354,19 @@ private:
 };
 
 } // namespace
+
+std::optional<Vector2d> topInPlane(const CavityKind& kind, const VentedTrap& vented, const Vector3d& up) {
+    if (vented.byHand)
+        return topOver(kind.outlines, vented.top.x(), vented.trap.points);
+    const auto level = [&](const Vector2d& place) { return place.dot(up.head<2>()); };
+    std::optional<Vector2d> best;
+    for (const int v : vented.trap.points) {
+        const Vector2d place = kind.cast.V.row(v).head<2>();
+        if (kind.cast.V(v, 2) == 0 && (!best || level(place) > level(*best)))
+            best = place;
+    }
+    return best;
+}
 
 Result<JoinedCavity> plannedCavity(const CavityKind& kind, const CavityFeatures& features,
                                    const JointPlan& plan) {

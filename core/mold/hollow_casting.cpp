@@ -91,8 +91,9 @@ double placesWithin(const ClosestPoint& nearest, const Vector2d& p, const std::a
 } // namespace
 
 double shellVolume(const IndexedMesh& solid, double wall) {
-    constexpr int across = 60;
-    const double step = std::min(boundingBox(solid).sizes().maxCoeff() / across, wall / 3);
+    const double size = boundingBox(solid).sizes().maxCoeff();
+    // Never coarser than the wall: then what is within it is told from what is beyond by its distance.
+    const double step = std::min(size / 60, std::max(wall / 3, std::min(wall, size / 200)));
     const Columns columns(solid, step);
     const ClosestPoint nearest(solid);
     std::vector<double> inner(columns.count(), 0);

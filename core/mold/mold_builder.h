@@ -118,6 +118,7 @@ private:
     [[nodiscard]] Obstacles planObstacles(const Block& block) const;
     void addChannelObstacles(Obstacles& obstacles, double faceY) const;
     void addRunnerObstacles(Obstacles& obstacles) const;
+    void addVentObstacles(Obstacles& obstacles, const CavityCopy& copy, double end) const;
     void addChannelContent(BlockContent& content, double wallY) const;
     void addRunnerContent(BlockContent& content, double wallY) const;
     void addTreeContent(BlockContent& content, double wallY) const;

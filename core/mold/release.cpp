@@ -305,12 +305,34 @@ bool canBeAimedAt(const IndexedMesh& mesh, int f, const Vector3d& d) {
     return std::abs(e.cross(g).dot(d)) > thin * std::max(e.squaredNorm(), g.squaredNorm());
 }
 
-std::vector<int> facesMeeting(const IndexedMesh& half, const Overhang& over, const Vector3d& d) {
+Vector3d centreOf(const IndexedMesh& mesh, int f) {
+    return (mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3;
+}
+
+/// Faces whose centre meets the obstacle on its way along d. Where half and obstacle touch, rounding puts a
+/// centre a little below the surface, and along a steep one it is a long way out: such a way is known by
+/// never being deeper than that.
+std::vector<int> facesMeeting(const IndexedMesh& half, const Obstacle& obstacle, const Vector3d& d) {
     const double touching = touchingDistance(half);
-    return facesThat(half, [&](int f) {
-        const Vector3d centre = (half.corner(f, 0) + half.corner(f, 1) + half.corner(f, 2)) / 3;
-        return canBeAimedAt(half, f, d) && over.above(centre) > touching;
+    std::vector<int> meeting = facesThat(half, [&](int f) {
+        return canBeAimedAt(half, f, d) && obstacle.over.above(centreOf(half, f)) > touching;
     });
+    constexpr double longest = 1; // mm that rounding can be on its way out
+    if (meeting.empty())
+        return meeting;
+    IndexedMesh near;
+    PlanGrid(half, meeting, longest).addNear(obstacle.mesh, near);
+    const ClosestPoint surface(near);
+    std::erase_if(meeting, [&](int f) {
+        const Vector3d from = centreOf(half, f);
+        const double way = obstacle.over.above(from);
+        constexpr std::array along = {0.25, 0.5, 0.75};
+        return way < longest &&
+               std::all_of(
+                   along.begin(), along.end(),
+                   [&](double part) { return surface.distance(from + part * way * d) <= touching; });
+    });
+    return meeting;
 }
 
 } // namespace
@@ -322,14 +344,14 @@ HalfRelease examineRelease(const IndexedMesh& half, const IndexedMesh& other, co
     const Obstacle inCavity(cast, d);
     release.sound = isSound(half);
     release.stuckFaces = facesNotLeaving(half, {&inHalf, &inCavity}, d, provableTolerance(draftDegrees));
-    release.sweptFaces = facesMeeting(half, inCavity.over, d);
-    const std::vector<int> meetingOther = facesMeeting(half, inHalf.over, d);
+    release.sweptFaces = facesMeeting(half, inCavity, d);
+    const std::vector<int> meetingOther = facesMeeting(half, inHalf, d);
     release.sweptFaces.insert(release.sweptFaces.end(), meetingOther.begin(), meetingOther.end());
     return release;
 }
 
 bool leavesOther(const IndexedMesh& half, const IndexedMesh& other, const Vector3d& d) {
-    return facesMeeting(half, Overhang(other, allFaces(other), d), d).empty();
+    return facesMeeting(half, Obstacle(other, d), d).empty();
 }
 
 } // namespace moldwright

@@ -341,47 +341,6 @@ TEST(MoldFeatures, KeysAreSpreadWhereTheBlockHasRoom) {
     }
 }
 
-TEST(MoldFeatures, VentsServeWhatTheSpoutDoesNot) {
-    // Two towers of unlike height on a bar: the lower one traps air when both point up.
-    PrismRequest towers;
-    towers.base = {{0, 0}, {30, 0}, {30, 20}, {22, 20}, {22, 8}, {8, 8}, {8, 17}, {0, 17}};
-    towers.height = {3, 3};
-    towers.directions = {std::vector<Vector3d>{Vector3d::UnitZ()}, std::vector<Vector3d>{-Vector3d::UnitZ()}};
-    towers.grid = 1.0 / 65536;
-    const IndexedMesh part = *prismSolid(draftedPrism(towers).value());
-    MoldSettings settings = everyFeature();
-    std::vector<int> vents;
-    for (const PourDirection pour :
-         {PourDirection::Turn0, PourDirection::Turn90, PourDirection::Turn180, PourDirection::Turn270}) {
-        settings.spout.pour = pour;
-        const Result<Mold> mold = moldOf({part, {}}, settings);
-        expectVerified(mold);
-        vents.push_back(count(*mold, "vent"));
-        EXPECT_EQ(mold->trappedAir, 0);
-    }
-    EXPECT_EQ(*std::max_element(vents.begin(), vents.end()), 1);
-    settings.vents.depth = 0.25;
-    for (const PourDirection pour : {PourDirection::Turn0, PourDirection::Turn180}) {
-        settings.spout.pour = pour;
-        const Result<Mold> mold = moldOf({part, {}}, settings);
-        expectVerified(mold);
-        for (const MoldFeature& feature : mold->features)
-            if (feature.kind == "vent") {
-                EXPECT_NEAR(feature.numbers[1].second + feature.numbers[2].second, 0.25, 1e-4);
-            }
-    }
-    settings.spout.pour = PourDirection::Automatic;
-    EXPECT_EQ(count(*moldOf({part, {}}, settings), "vent"), 0) << "upside down nothing is trapped";
-}
-
-TEST(MoldFeatures, VentsNeedASpout) {
-    MoldSettings settings;
-    settings.vents.on = true;
-    const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), settings);
-    ASSERT_FALSE(mold);
-    EXPECT_EQ(mold.error().code, ErrorCode::Usage);
-}
-
 TEST(MoldFeatures, AreTheSameForAnyNumberOfThreads) {
     MoldSettings settings = everyFeature();
     settings.layout.columns = 2;

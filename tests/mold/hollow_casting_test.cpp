@@ -25,6 +25,17 @@ TEST(HollowCasting, KeepsTheWallOfABall) {
     EXPECT_NEAR(shellVolume(round, 3) / whole, 1 - std::pow(17.0 / 20, 3), 0.01);
 }
 
+TEST(HollowCasting, OfAThinWallIsItsSurfaceTimesItsThickness) {
+    for (const double wall : {0.2, 0.5}) {
+        const double inner = (40 - 2 * wall) * (30 - 2 * wall) * (20 - 2 * wall);
+        const double byHand = 40 * 30 * 20 - inner;
+        EXPECT_NEAR(shellVolume(box({0, 0, 0}, {40, 30, 20}), wall), byHand, 0.03 * byHand) << wall;
+        const IndexedMesh round = sphere({1, 2, 3}, 20, 5);
+        const double shell = volume(round) * (1 - std::pow(1 - wall / 20, 3));
+        EXPECT_NEAR(shellVolume(round, wall), shell, 0.03 * shell) << wall;
+    }
+}
+
 TEST(HollowCasting, OfThickWallsIsSolid) {
     const IndexedMesh slab = box({0, 0, 0}, {40, 30, 6});
     EXPECT_NEAR(shellVolume(slab, 4), volume(slab), 1e-9);

@@ -94,6 +94,19 @@ TEST(Release, SeesWhatAnglesDoNotShow) {
     EXPECT_FALSE(blocked.sweptFaces.empty());
 }
 
+TEST(Release, TellsRoundingFromWhatIsInTheWay) {
+    const Mold mold = moldOf(frusta(20, 10, 5, 3, 0.02)); // steep: what is 1 deep is 50 on its way out
+    const auto swept = [&](double aside) {
+        IndexedMesh cast = *mold.cast;
+        cast.V.col(0).array() += aside;
+        return examineRelease(*mold.half1.mesh, *mold.half2.mesh, cast, Vector3d::UnitZ(), 1)
+            .sweptFaces.size();
+    };
+    EXPECT_EQ(swept(5e-5), 0U);
+    EXPECT_GT(swept(2e-3), 0U);
+    EXPECT_GT(swept(0.1), 0U);
+}
+
 TEST(Release, NeedsASoundHalf) {
     const Mold mold = moldOf(frusta(20, 10, 5, 3, 0.2));
     IndexedMesh open = *mold.half1.mesh;
