@@ -5,6 +5,8 @@
 #include "features/drafted_prism.h"
 #include "mesh/indexed_mesh.h"
 
+#include <array>
+#include <memory>
 #include <optional>
 
 namespace moldwright {
@@ -28,14 +30,33 @@ struct ThroughVentRequest {
     double end = 0;        ///< distance of the block's outer face from the plane, mm
     double draftDegrees = 1;
     double grid = 0;
-    int quartersAway = 0; ///< quarters of its radius, from the high point, at which the search begins
+    int quartersAway = 0;  ///< quarters of its radius, from the high point, at which the search begins
+    int quartersMost = 16; ///< and at which it ends
 };
 
-/// A vent for the air at `highPoint`, a point of `cast` (mold's frame, plane z = 0) on the given side: its
-/// foot lies wholly inside the cast, as near to the point as that allows, so that the joined body is still a
-/// graph along the direction. `up` (unit) may point any way. None where the cast is too slender for the foot.
-[[nodiscard]] std::optional<ThroughVent>
-throughVent(const IndexedMesh& cast, const SideLabels& labels, const Directions& directions, int side,
-            const Eigen::Vector3d& highPoint, const Eigen::Vector3d& up, const ThroughVentRequest& request);
+/// Finds vents through the halves for the air in one cast.
+class ThroughVents {
+public:
+    /// In the mold's frame, plane z = 0. Both must outlive this.
+    ThroughVents(const IndexedMesh& cast, const SideLabels& labels, const Directions& directions);
+    ~ThroughVents();
+
+    /// A vent for the air at `highPoint`, a point of the cast on the given side: its foot lies wholly inside
+    /// the cast, as near to the point as that allows, so that the joined body is still a graph along the
+    /// direction. `up` (unit) may point any way. None where the cast is too slender for the foot. The first
+    /// of a side takes O(m).
+    [[nodiscard]] std::optional<ThroughVent> from(int side, const Eigen::Vector3d& highPoint,
+                                                  const Eigen::Vector3d& up,
+                                                  const ThroughVentRequest& request);
+
+private:
+    class InsideSide;
+    [[nodiscard]] const InsideSide& inside(int side);
+
+    const IndexedMesh& m_cast;
+    const SideLabels& m_labels;
+    Directions m_directions;
+    std::array<std::unique_ptr<InsideSide>, 2> m_inside;
+};
 
 } // namespace moldwright

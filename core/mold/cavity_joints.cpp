@@ -32,7 +32,8 @@ IndexedMesh inOne(const std::vector<IndexedMesh>& bodies) {
 class Joiner {
 public:
     Joiner(const CavityKind& kind, const CavityFeatures& features, const JointPlan& plan)
-        : m_kind(kind), m_features(features), m_plan(plan), m_outlines(kind.outlinesFromInlet()) {}
+        : m_kind(kind), m_features(features), m_plan(plan), m_outlines(kind.outlinesFromInlet()),
+          m_through(kind.cast, kind.labels, plan.rules.directions) {}
 
     /// All of it, moved a little for each attempt.
     Result<JoinedCavity> planned(int attempt) {
@@ -243,7 +244,7 @@ private:
         return true;
     }
 
-    [[nodiscard]] std::optional<FoundVent> throughFrom(const Vector3d& top) const {
+    [[nodiscard]] std::optional<FoundVent> throughFrom(const Vector3d& top, int quartersMost = 16) {
         const int side = top.z() >= 0 ? 1 : 2;
         ThroughVentRequest request;
         request.diameter = m_plan.settings->vents.diameter * (1 + 0.02 * m_nudge);
@@ -253,15 +254,16 @@ private:
         request.grid = m_plan.rules.grid;
         // Where joints near the high points come out unsound, a radius beside them they hardly do.
         request.quartersAway = m_nudge > 4 ? 4 : 0;
-        std::optional<ThroughVent> vent =
-            throughVent(m_kind.cast, m_kind.labels, m_plan.rules.directions, side, top, m_plan.up, request);
+        request.quartersMost = quartersMost;
+        std::optional<ThroughVent> vent = m_through.from(side, top, m_plan.up, request);
         return vent ? std::optional(FoundVent{*std::move(vent), top}) : std::nullopt;
     }
 
     /// Where the trap's highest place is taken, as beside a spout: the highest of its other places from which
     /// a vent keeps clear and lets some of the air out.
-    [[nodiscard]] std::optional<FoundVent> throughBeside(const VentedTrap& vented) const {
+    [[nodiscard]] std::optional<FoundVent> throughBeside(const VentedTrap& vented) {
         constexpr std::size_t most = 24; // a diameter apart
+        constexpr int quarters = 4;      // the next is looked at by itself
         const IndexedMesh& cast = m_kind.cast;
         const double diameter = m_plan.settings->vents.diameter;
         std::vector<std::pair<double, int>> downwards;
@@ -280,7 +282,7 @@ private:
             if (tried.size() > most)
                 break;
             tried.push_back(place);
-            std::optional<FoundVent> found = throughFrom(p);
+            std::optional<FoundVent> found = throughFrom(p, quarters);
             if (found && keepsClear(found->vent.body.base) &&
                 airAbove(cast, m_plan.up, vented.trap, found->vent.reach) < vented.trap.volume)
                 return found;
@@ -349,6 +351,7 @@ private:
     const CavityFeatures& m_features;
     const JointPlan& m_plan;
     std::vector<CavityOutline> m_outlines; ///< the inlet being +y
+    ThroughVents m_through;
     int m_nudge = 0;
     JoinedCavity m_result;
 };

@@ -27,7 +27,7 @@ TEST(ThroughVent, NarrowsOutwardsAndLeavesTheCastCastable) {
         const SideLabels labels = labelSides(cast.mesh, {});
         const Vector3d high(0.3 * 4, 10, side == 1 ? 4 : -4);
         const auto vent =
-            throughVent(cast.mesh, labels, cast.state.directions, side, high, Vector3d::UnitY(), usual);
+            ThroughVents(cast.mesh, labels, cast.state.directions).from(side, high, Vector3d::UnitY(), usual);
         ASSERT_TRUE(vent);
         const IndexedMesh solid = vent->solid();
         EXPECT_EQ(side == 1 ? boundingBox(solid).max().z() : -boundingBox(solid).min().z(), 16);
@@ -54,6 +54,6 @@ TEST(ThroughVent, NarrowsOutwardsAndLeavesTheCastCastable) {
 
 TEST(ThroughVent, IsNoneInASlenderCast) {
     const KnownCast cast = frusta(20, 1, 3, 3, 0.02);
-    EXPECT_FALSE(
-        throughVent(cast.mesh, labelSides(cast.mesh, {}), {}, 1, {0, 0.5, 2}, Vector3d::UnitY(), usual));
+    const SideLabels labels = labelSides(cast.mesh, {});
+    EXPECT_FALSE(ThroughVents(cast.mesh, labels, {}).from(1, {0, 0.5, 2}, Vector3d::UnitY(), usual));
 }
