@@ -2174,6 +2174,14 @@
         <source>A pocket's wall would have to lie flat to leave along the removal directions with {0}°.</source>
         <translation>Eine Wand einer Tasche müsste flach liegen, um in den Entformungsrichtungen mit {0}° frei zu werden.</translation>
     </message>
+    <message>
+        <source>There is no steel between {0} and {1}. Give the cavities more spacing, or take fewer or smaller features.</source>
+        <translation>Zwischen {0} und {1} bleibt kein Stahl. Geben Sie den Kavitäten mehr Abstand, oder nehmen Sie weniger oder kleinere Merkmale.</translation>
+    </message>
+    <message>
+        <source>{0} meets the same of the next cavity. Give the cavities more spacing, or make it smaller.</source>
+        <translation>{0} trifft auf das gleiche der nächsten Kavität. Geben Sie den Kavitäten mehr Abstand, oder machen Sie es kleiner.</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>

@@ -2174,6 +2174,14 @@
         <source>A pocket's wall would have to lie flat to leave along the removal directions with {0}°.</source>
         <translation>嵌件槽的壁必须放平，才能以 {0}° 沿脱模方向脱出。</translation>
     </message>
+    <message>
+        <source>There is no steel between {0} and {1}. Give the cavities more spacing, or take fewer or smaller features.</source>
+        <translation>{0} 与 {1} 之间没有钢料。请加大型腔间距，或减少、缩小特征。</translation>
+    </message>
+    <message>
+        <source>{0} meets the same of the next cavity. Give the cavities more spacing, or make it smaller.</source>
+        <translation>{0} 与相邻型腔的同一特征相碰。请加大型腔间距，或将其缩小。</translation>
+    </message>
 </context>
 <context>
     <name>MoldFeaturePages</name>

@@ -3,6 +3,7 @@
 
 #include "features/joined_channel.h"
 #include "mesh/measures.h"
+#include "mold/channel_room.h"
 #include "mold/free_place.h"
 #include "mold/overflows.h"
 
@@ -131,7 +132,8 @@ private:
         if (!bodies)
             return std::unexpected(bodies.error());
         for (const Stub& stub : m_result.stubs)
-            if (planDistance(bodies->channel.base, stub.prism.base) == 0) {
+            if (planDistance(bodies->channel.base, stub.prism.base) == 0 ||
+                planDistance(bodies->well.base, stub.prism.base) == 0) {
                 Error error;
                 error.code = ErrorCode::Impossible;
                 error.message = {MW_TEXT("Mold", "Overflow {0} would stand where the cavity is filled. Move "
@@ -357,19 +359,6 @@ private:
 };
 
 } // namespace
-
-std::optional<Vector2d> topInPlane(const CavityKind& kind, const VentedTrap& vented, const Vector3d& up) {
-    if (vented.byHand)
-        return topOver(kind.outlines, vented.top.x(), vented.trap.points);
-    const auto level = [&](const Vector2d& place) { return place.dot(up.head<2>()); };
-    std::optional<Vector2d> best;
-    for (const int v : vented.trap.points) {
-        const Vector2d place = kind.cast.V.row(v).head<2>();
-        if (kind.cast.V(v, 2) == 0 && (!best || level(place) > level(*best)))
-            best = place;
-    }
-    return best;
-}
 
 Result<JoinedCavity> plannedCavity(const CavityKind& kind, const CavityFeatures& features,
                                    const JointPlan& plan) {

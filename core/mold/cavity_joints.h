@@ -90,11 +90,6 @@ struct JointPlan {
     std::array<double, 2> blockEnd{}; ///< distance of the block's outer faces from the plane, mm
 };
 
-/// Where a vent in the parting plane begins, the kind's coordinates, mm: the trap's highest point of the
-/// parting line, or by hand the line's highest over the place. None where the trap does not reach the plane.
-[[nodiscard]] std::optional<Eigen::Vector2d> topInPlane(const CavityKind& kind, const VentedTrap& vented,
-                                                        const Eigen::Vector3d& up);
-
 /// Gates, vents and bores of one kind as they will be joined, without the joint: the result's solids are
 /// empty. Errors: Impossible (with the place) where a way is not free or a vent by hand cannot stand there.
 [[nodiscard]] Result<JoinedCavity> plannedCavity(const CavityKind& kind, const CavityFeatures& features,

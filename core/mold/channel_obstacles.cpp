@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // What channels take of the plane, before they are built.
 #include "mold/balanced_runners.h"
+#include "mold/channel_room.h"
 #include "mold/circle_layout.h"
 #include "mold/mold_builder.h"
 #include "mold/star_runners.h"
@@ -12,29 +13,19 @@ namespace moldwright {
 using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
-namespace {
-
-/// A gate from its end in the cavity to the parting line, and as far beyond; in the kind's coordinates.
-PlanShape gateFoot(const CavityKind& kind, const Gate& gate) {
-    const Vector2d tip = kind.fromInlet(gate.tip);
-    const double half = gate.width * (0.5 + (jointAttempts - 1) * jointNudge);
-    PlanShape foot =
-        planRectangle({tip.x() - half, tip.y() - 1.3 * gate.drop}, {tip.x() + half, tip.y() + gate.drop});
-    for (Vector2d& p : foot)
-        p = kind.toInlet(p);
-    return foot;
-}
-
-} // namespace
-
 void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const {
     const auto addUpwards = [&](const Vector2d& from, double half) {
         obstacles.push_back(planRectangle({from.x() - half, from.y()}, {from.x() + half, faceY}));
     };
-    // Where a cavity is pointed, the foot of its gate stands out on both sides.
-    for (const CavityCopy& copy : m_layout.copies)
-        for (const Gate& gate : (*m_entries)[copy.kind].gates)
-            obstacles.push_back(movedPlan(gateFoot(kinds()[copy.kind], gate), copy.offset));
+    for (const CavityCopy& copy : m_layout.copies) {
+        const CavityKind& kind = kinds()[copy.kind];
+        for (const Gate& gate : (*m_entries)[copy.kind].gates) {
+            obstacles.push_back(movedPlan(gateFoot(kind, gate), copy.offset));
+            if (!spoutEach())
+                obstacles.push_back(movedPlan(
+                    wayFrom(kind, gate.tip, m_widths.gate / 2, endOfStubs(copy.kind)), copy.offset));
+        }
+    }
     const double funnel = widestOfSpout() / 2;
     const double nudged = (jointAttempts - 1) * jointNudge * m_widths.gate; // it may be joined so far aside
     if (spoutEach())
@@ -71,16 +62,9 @@ void MoldBuilder::addRunnerObstacles(Obstacles& obstacles) const {
         for (const double axis : m_layout.runnerAxes)
             obstacles.push_back(planRectangle({all.min().x() - widths.gate, axis - widths.runner / 2},
                                               {all.max().x() + widths.gate, axis + widths.runner / 2}));
-    for (const CavityCopy& copy : m_layout.copies) {
-        const double end = copy.offset.y() + endOfStubs(copy.kind);
-        for (const Gate& gate : (*m_entries)[copy.kind].gates) {
-            const Vector2d tip = gate.tip + copy.offset;
-            obstacles.push_back(
-                planRectangle({tip.x() - widths.gate / 2, tip.y()}, {tip.x() + widths.gate / 2, end}));
-        }
-        if (!balanced())
-            addVentObstacles(obstacles, copy, end);
-    }
+    if (!balanced())
+        for (const CavityCopy& copy : m_layout.copies)
+            addVentObstacles(obstacles, copy, copy.offset.y() + endOfStubs(copy.kind));
 }
 
 /// Vents of a copy that may run up the parting plane; as wide as their joints may become.

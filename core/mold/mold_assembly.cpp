@@ -237,25 +237,49 @@ SharedMesh MoldBuilder::sprues() const {
     return all.empty() ? nullptr : std::make_shared<const IndexedMesh>(sumOf(all).mesh);
 }
 
-Result<void> MoldBuilder::refuseCollisions() {
+/// Why there is no steel between two, and what helps.
+Message MoldBuilder::collision(const ThinSteel& thin) const {
     const auto named = [](const std::string& name, int number) {
         return number > 0 ? name + ' ' + std::to_string(number) : name;
     };
+    const auto byHand = [&](const std::string& name, int number) {
+        return std::ranges::any_of(m_mold.hollows, [&](const Hollow& hollow) {
+            return hollow.byHand && hollow.name == name && hollow.number == number;
+        });
+    };
+    const std::string first = named(thin.first, thin.firstNumber);
+    const std::string second = named(thin.second, thin.secondNumber);
+    if (byHand(thin.first, thin.firstNumber) || byHand(thin.second, thin.secondNumber))
+        return {MW_TEXT("Mold", "There is no steel between {0} and {1}. Move one of them, or have it placed "
+                                "automatically."),
+                {first, second}};
+    if (first == second)
+        return {MW_TEXT("Mold",
+                        "{0} meets the same of the next cavity. Give the cavities more spacing, or make it "
+                        "smaller."),
+                {first}};
+    return {MW_TEXT("Mold",
+                    "There is no steel between {0} and {1}. Give the cavities more spacing, or take fewer "
+                    "or smaller features."),
+            {first, second}};
+}
+
+Result<void> MoldBuilder::refuseCollisions() {
     for (const ThinSteel& thin : m_mold.steelOfEach)
         if (thin.thickness <= 0) {
-            std::unexpected<Error> error = failure(
-                ErrorCode::Impossible,
-                MW_TEXT("Mold", "There is no steel between {0} and {1}. Move one of them, or have it placed "
-                                "automatically."),
-                {named(thin.first, thin.firstNumber), named(thin.second, thin.secondNumber)});
-            error.error().places.push_back(thin.place);
-            return error;
+            Error error;
+            error.code = ErrorCode::Impossible;
+            error.message = collision(thin);
+            error.places.push_back(thin.place);
+            return std::unexpected(std::move(error));
         }
     return {};
 }
 
-std::vector<Hollow> MoldBuilder::attachedTo(std::size_t kind) const {
+std::vector<Hollow> MoldBuilder::attachedTo(std::size_t kind, int net) const {
     const JoinedCavity& joined = m_joined[kind];
+    // Where the runners are one prism, vents go through the halves alone.
+    const auto endsInRunner = [&](const Stub& stub) { return !spoutEach() && !(inOnePrism() && stub.vent); };
     std::vector<Hollow> attached;
     for (const Stub& stub : joined.stubs) {
         const bool gate = !stub.vent && !spoutEach();
@@ -263,7 +287,7 @@ std::vector<Hollow> MoldBuilder::attachedTo(std::size_t kind) const {
         attached.push_back({stub.name,
                             shared(*prismSolid(stub.prism)),
                             {},
-                            {},
+                            endsInRunner(stub) ? std::vector{net} : std::vector<int>{},
                             spoutEach(),
                             stub.number + 1,
                             !gate,
@@ -295,9 +319,9 @@ std::vector<Hollow> MoldBuilder::attachedTo(std::size_t kind) const {
 std::vector<Hollow> MoldBuilder::hollows() const {
     std::vector<Hollow> all;
     std::vector<std::vector<Hollow>> attached; // by kind
-    for (std::size_t kind = 0; kind < kinds().size(); ++kind)
-        attached.push_back(attachedTo(kind));
     const int net = static_cast<int>(m_layout.copies.size());
+    for (std::size_t kind = 0; kind < kinds().size(); ++kind)
+        attached.push_back(attachedTo(kind, net));
     for (int c = 0; c < net; ++c) {
         const CavityCopy& copy = m_layout.copies[static_cast<std::size_t>(c)];
         // The kinds live as long as the builder or its copies, and their trees with them.
@@ -305,11 +329,7 @@ std::vector<Hollow> MoldBuilder::hollows() const {
             {"Cavity", SharedMesh(m_shapes, &kinds()[copy.kind].cast), copy.offset, {c}, false, c + 1});
         for (Hollow hollow : attached[copy.kind]) {
             hollow.offset = copy.offset;
-            hollow.joints = {c};
-            // A bore stays apart from the runners, where they are one prism vents too; spouts of their own
-            // from each other.
-            if (!spoutEach() && hollow.name != ejectorName && (!inOnePrism() || hollow.name != "Vent"))
-                hollow.joints.push_back(net);
+            hollow.joints.push_back(c);
             all.push_back(std::move(hollow));
         }
     }

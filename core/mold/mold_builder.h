@@ -52,7 +52,7 @@ public:
     Result<void> join() { return makeJoints(&joinedCavity); }
     /// The steel between all of this, and the list of features.
     Result<void> measureSteel();
-    /// Refuses what stands by hand in the way of something else.
+    /// Refuses features that meet, by their names.
     Result<void> refuseCollisions();
     /// Everything that solidifies, and the halves about it.
     Result<void> assemble();
@@ -163,7 +163,8 @@ private:
     [[nodiscard]] std::vector<PlanShape> overflowShapes(const CavityCopy& copy) const;
     void addOverflows(std::vector<Hollow>& all) const;
     Result<void> addOverflowSurfaces(int side, HalfSurfaces& half, std::vector<PlacedSurface>& solids) const;
-    [[nodiscard]] std::vector<Hollow> attachedTo(std::size_t kind) const;
+    [[nodiscard]] Message collision(const ThinSteel& thin) const;
+    [[nodiscard]] std::vector<Hollow> attachedTo(std::size_t kind, int net) const;
     [[nodiscard]] SharedMesh sprues() const;
     void measureParts();
     void compareWithMachines();

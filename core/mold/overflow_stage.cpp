@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The builder's stage that finds wells beside the cavities, and what of them goes into the list of features.
 #include "mesh/measures.h"
+#include "mold/channel_room.h"
 #include "mold/mold_builder.h"
 #include "mold/overflows.h"
 
@@ -14,25 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr const char* overflowName = "Overflow";
-
-/// What leads away from a place of the kind along its inlet, as far as any mold reaches.
-PlanShape wayOut(const CavityKind& kind, const Vector2d& from, double half) {
-    constexpr double far = 1e4; // mm
-    const Vector2d start = kind.fromInlet(from);
-    PlanShape strip = planRectangle({start.x() - half, start.y()}, {start.x() + half, start.y() + far});
-    for (Vector2d& p : strip)
-        p = kind.toInlet(p);
-    return strip;
-}
-
-/// Where a vent in the plane would leave a trap; none where it meets no parting line.
-std::optional<Vector2d> topInPlane(const IndexedMesh& cast, const VentedTrap& vented) {
-    std::optional<Vector2d> top;
-    for (const int v : vented.trap.points)
-        if (cast.V(v, 2) == 0 && (!top || cast.V(v, 1) > top->y()))
-            top = cast.V.row(v).head<2>().transpose();
-    return vented.byHand ? std::optional<Vector2d>(vented.top.head<2>()) : top;
-}
+constexpr double far = 1e4; // mm: beyond any mold
 
 std::vector<std::pair<std::string, double>> sizesOf(const JoinedOverflow& overflow, double diameter) {
     return {{"volume", volume(*prismSolid(overflow.well))},
@@ -71,11 +54,13 @@ std::vector<PlanShape> MoldBuilder::besideOverflows(std::size_t kind) const {
     const double half = (spoutEach() ? widestOfSpout() : star() ? m_widths.runner : m_widths.gate) / 2;
     const auto addWays = [&](std::size_t of, const Vector2d& by) {
         const CavityFeatures& entries = (*m_entries)[of];
-        for (const Gate& gate : entries.gates)
-            beside.push_back(movedPlan(wayOut(kinds()[of], gate.tip, half), by));
+        for (const Gate& gate : entries.gates) {
+            beside.push_back(movedPlan(gateFoot(kinds()[of], gate), by));
+            beside.push_back(movedPlan(wayFrom(kinds()[of], gate.tip, half, far), by));
+        }
         for (const VentedTrap& vented : entries.traps)
-            if (const auto top = topInPlane(kinds()[of].cast, vented); top && inPlane() && !inOnePrism())
-                beside.push_back(movedPlan(wayOut(kinds()[of], *top, settings.vents.diameter / 2), by));
+            if (const auto top = topInPlane(kinds()[of], vented, up()); top && inPlane() && !inOnePrism())
+                beside.push_back(movedPlan(wayFrom(kinds()[of], *top, settings.vents.diameter / 2, far), by));
     };
     addWays(kind, Vector2d::Zero());
     for (const CavityCopy& copy : m_layout.copies) {

@@ -112,7 +112,7 @@ private:
         if (!m_done.insert({a.mesh.get(), b.mesh.get(), way.x(), way.y()}).second)
             return;
         const double before = least.thickness;
-        if (apart == 0 && (a.byHand || b.byHand) && meet(a, b)) {
+        if (apart == 0 && meet(a, b)) {
             least.thickness = 0;
             least.place = a.byHand ? m_boxes[i].center() : m_boxes[j].center();
         } else {

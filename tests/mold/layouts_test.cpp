@@ -102,6 +102,22 @@ TEST(CircleLayout, MovesCopiesWhereTheDirectionsForbidATurn) {
         EXPECT_NEAR(kind.inlet.norm(), 1, 1e-12);
 }
 
+TEST(CircleLayout, KeepsKeysClearOfLongGates) {
+    // Copies that are only moved: the way from some cavities to their arm is long.
+    MoldSettings settings = circleOf(6);
+    settings.shape = BlockShape::Shell; // keys are drawn inwards
+    settings.keys.count = 12;
+    for (const double lengths : {20.0, 60.0}) {
+        const Result<Mold> mold = moldOf(sheared(frusta(lengths, 12, 6, 4, lean), 0.3, -0.25), settings);
+        expectVerified(mold);
+        ASSERT_TRUE(mold);
+        for (const ThinSteel& thin : mold->steelOfEach)
+            if (thin.first == "Key" || thin.second == "Key") {
+                EXPECT_GE(thin.thickness, settings.leastSteel - 1e-3) << thin.first << ' ' << thin.second;
+            }
+    }
+}
+
 TEST(CircleLayout, OfSeveralSolidsIsNotFilledFromTheMiddle) {
     KnownCast cast = frusta(20, 10, 5, 3, lean);
     IndexedMesh second = frusta(8, 6, 4, 2, lean).mesh;

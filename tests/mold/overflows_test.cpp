@@ -179,6 +179,22 @@ TEST(Overflows, AreProvedInEveryLayoutAndAlongObliqueDirections) {
     expectVerified(moldOf(frusta(20, 12, 5, 0, lean), flat));
 }
 
+TEST(Overflows, KeepClearOfGatesThatAreWiderThanTheCavity) {
+    for (const double radius : {3.0, 5.0, 8.0})
+        for (const int overflows : {1, 2, 3, 4}) {
+            MoldSettings settings = withOverflows(overflows);
+            settings.layout.rows = settings.layout.columns = 2;
+            settings.spout.gate = 6;
+            settings.overflows.diameter = 3;
+            const Result<Mold> mold = moldOf(ball(radius, 4), settings);
+            if (mold) {
+                expectVerified(mold);
+                EXPECT_GE(steelBetween(*mold, "Gate", "Overflow"), settings.leastSteel - 1e-3);
+            } else
+                expectRefused(mold, "There is no room for");
+        }
+}
+
 TEST(Overflows, StandByHandWhereTheyStandByThemselves) {
     MoldSettings settings = withOverflows(2);
     const KnownCast cast = sheared(ball(15, 4), 0.3, -0.2);

@@ -57,6 +57,14 @@ std::vector<Hollow> someHollows(std::mt19937& random) {
     return hollows;
 }
 
+/// Whether two have points in common: surfaces that cross, or one within the other.
+bool meet(const Hollow& a, const Hollow& b) {
+    const Vector3d way(b.offset.x() - a.offset.x(), b.offset.y() - a.offset.y(), 0);
+    const ClosestPoint tree(*a.mesh);
+    return tree.meets(*b.mesh, way) || tree.holds(b.mesh->point(0) + way) ||
+           ClosestPoint(*b.mesh).holds(a.mesh->point(0) - way);
+}
+
 /// By all points of both, one after the other.
 std::vector<ThinSteel> plainly(const std::vector<Hollow>& hollows, const Block& block) {
     std::vector<ThinSteel> all;
@@ -85,6 +93,8 @@ std::vector<ThinSteel> plainly(const std::vector<Hollow>& hollows, const Block& 
             const Hollow& b = hollows[j];
             if (areJoined(a, b))
                 continue;
+            if (meet(a, b))
+                note(groupOf(a), groupOf(b), {0, Vector3d::Zero(), a.name, b.name, a.number, b.number});
             for (const bool swapped : {false, true}) {
                 const Hollow& points = swapped ? b : a;
                 const Hollow& faces = swapped ? a : b;

@@ -137,6 +137,21 @@ TEST(ThroughSpouts, WithoutRoomForTheNeckAreRefused) {
     EXPECT_NE(mold.error().english().find("finds no place"), std::string::npos);
 }
 
+TEST(ThroughSpouts, ThatMeetAtTheBlocksFaceAreRefusedByName) {
+    MoldSettings settings = lying();
+    settings.layout.columns = 2;
+    settings.layout.spacing = 1;
+    settings.spout.diameter = 16;
+    settings.ceiling = 30;
+    const Result<Mold> mold = moldOf(ball(6, 4), settings);
+    ASSERT_FALSE(mold);
+    EXPECT_EQ(mold.error().code, ErrorCode::Impossible);
+    EXPECT_TRUE(mold.error().english().starts_with("Spout 1 meets the same of the next cavity."))
+        << mold.error().english();
+    settings.layout.spacing = 12;
+    expectVerified(moldOf(ball(6, 4), settings));
+}
+
 TEST(Stock, TheNextBlockIsTaken) {
     MoldSettings settings;
     settings.stock = {100, 25, 60};
