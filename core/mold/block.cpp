@@ -219,9 +219,11 @@ Result<Block> blockAround(const BlockContent& content, const MoldSettings& setti
     const AlignedBox3d& cast = content.cavities;
     const double step = settings.step;
     const double grid = rules.grid;
-    const std::array<double, 2> height = {
-        roundedUp(std::max(cast.max().z(), 0.0) + settings.ceiling, step, grid),
-        roundedUp(std::max(-cast.min().z(), 0.0) + settings.floor, step, grid)};
+    const auto reaching = [&](double cavity, double steel, double channel) {
+        return roundedUp(std::max(std::max(cavity, 0.0) + steel, channel + settings.leastSteel), step, grid);
+    };
+    const std::array<double, 2> height = {reaching(cast.max().z(), settings.ceiling, content.channels[0]),
+                                          reaching(-cast.min().z(), settings.floor, content.channels[1])};
     // Walls that narrow keep their thickness at the back.
     std::array<double, 2> more{0, 0};
     for (const std::size_t axis : {0UL, 1UL})

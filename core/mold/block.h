@@ -50,11 +50,12 @@ struct Block {
 
 /// What the block must hold.
 struct BlockContent {
-    Eigen::AlignedBox3d cavities; ///< of all copies
-    double wallX = 5;             ///< steel at the faces left and right
-    double wallY = 5;             ///< at the face below, and above without a spout
-    double spoutTop = 0;          ///< y that the upper face must reach; below the wall's: none
-    Eigen::AlignedBox2d byHand;   ///< what stands where a hand put it, with the steel to its outside
+    Eigen::AlignedBox3d cavities;         ///< of all copies
+    std::array<double, 2> channels{0, 0}; ///< how far those in the plane reach into each half, mm
+    double wallX = 5;                     ///< steel at the faces left and right
+    double wallY = 5;                     ///< at the face below, and above without a spout
+    double spoutTop = 0;                  ///< y that the upper face must reach; below the wall's: none
+    Eigen::AlignedBox2d byHand;           ///< what stands where a hand put it, with the steel to its outside
 };
 
 /// What a block is held to besides.
@@ -63,9 +64,10 @@ struct BlockRules {
     double grid = 0;
 };
 
-/// Walls, floor and ceiling at least, sizes in the parting plane rounded up to the settings' step; length and
-/// width to the next of the stock, if there is one. The outline is a rectangle, centred in x over the origin.
-/// Errors: Impossible where the stock is too small, or a wall cannot have the draft.
+/// Walls, floor and ceiling at least, the least steel behind channels; sizes in the parting plane rounded up
+/// to the settings' step; length and width to the next of the stock, if there is one. The outline is a
+/// rectangle, centred in x over the origin. Errors: Impossible where the stock is too small, or a wall cannot
+/// have the draft.
 [[nodiscard]] Result<Block> blockAround(const BlockContent& content, const MoldSettings& settings,
                                         const BlockRules& rules);
 

@@ -57,6 +57,18 @@ Obstacles MoldBuilder::planObstacles(const Block& block) const {
     return obstacles;
 }
 
+/// How far spout, runners, gates and overflows reach into each half at most, mm.
+std::array<double, 2> MoldBuilder::depthOfChannels() const {
+    const OverflowSettings& overflows = m_mold.settings.overflows;
+    double widest = overflows.count > 0 ? overflows.diameter : 0;
+    if (inPlane())
+        widest = std::max({widest, m_widths.main, m_widths.gate, spoutEach() ? spout().diameter : 0});
+    std::array<double, 2> depth{};
+    for (const std::size_t side : {0UL, 1UL})
+        depth[side] = m_rules.sides[side] ? heightOverWidth * widest : 0;
+    return depth;
+}
+
 Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     BlockContent content;
     content.wallX = wallX;
@@ -64,9 +76,12 @@ Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
     for (const CavityCopy& copy : m_layout.copies)
         content.cavities.extend(
             kinds()[copy.kind].box.translated(Vector3d(copy.offset.x(), copy.offset.y(), 0)));
+    content.channels = depthOfChannels();
     const double depth = std::max(m_mold.settings.floor, m_mold.settings.ceiling) + m_mold.settings.step;
-    const std::array<double, 2> ends = {content.cavities.max().z() + depth,
-                                        content.cavities.min().z() - depth};
+    const double behind = m_mold.settings.leastSteel + m_mold.settings.step;
+    const std::array<double, 2> ends = {
+        std::max(content.cavities.max().z() + depth, content.channels[0] + behind),
+        std::min(content.cavities.min().z() - depth, -content.channels[1] - behind)};
     for (const CavityCopy& copy : m_layout.copies)
         for (const OutwardHole& hole : outwardHoles(copy)) {
             const Vector3d mouth = mouthOf(hole, ends[hole.side == 1 ? 0 : 1]);
@@ -86,6 +101,10 @@ Result<Block> MoldBuilder::blockFor(double wallX, double wallY) const {
 
 void MoldBuilder::addChannelContent(BlockContent& content, double wallY) const {
     const ChannelWidths& widths = m_widths;
+    for (const CavityCopy& copy : m_layout.copies)
+        for (const PlanShape& shape : gateShapes(copy))
+            for (const Vector2d& p : shape)
+                content.cavities.extend(Vector3d(p.x(), p.y(), 0));
     const double tail = m_end.face - m_end.line;
     if (spoutEach()) {
         const double half = widestOfSpout() / 2;

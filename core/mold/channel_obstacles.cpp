@@ -13,19 +13,26 @@ namespace moldwright {
 using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
+/// Gates of a copy with their feet and, where they lead to a runner, their ways there; mold's frame.
+std::vector<PlanShape> MoldBuilder::gateShapes(const CavityCopy& copy) const {
+    const CavityKind& kind = kinds()[copy.kind];
+    std::vector<PlanShape> shapes;
+    for (const Gate& gate : (*m_entries)[copy.kind].gates) {
+        shapes.push_back(movedPlan(gateFoot(kind, gate), copy.offset));
+        if (!spoutEach())
+            shapes.push_back(
+                movedPlan(wayFrom(kind, gate.tip, halfRoom(gate), endOfStubs(copy.kind)), copy.offset));
+    }
+    return shapes;
+}
+
 void MoldBuilder::addChannelObstacles(Obstacles& obstacles, double faceY) const {
     const auto addUpwards = [&](const Vector2d& from, double half) {
         obstacles.push_back(planRectangle({from.x() - half, from.y()}, {from.x() + half, faceY}));
     };
-    for (const CavityCopy& copy : m_layout.copies) {
-        const CavityKind& kind = kinds()[copy.kind];
-        for (const Gate& gate : (*m_entries)[copy.kind].gates) {
-            obstacles.push_back(movedPlan(gateFoot(kind, gate), copy.offset));
-            if (!spoutEach())
-                obstacles.push_back(movedPlan(
-                    wayFrom(kind, gate.tip, m_widths.gate / 2, endOfStubs(copy.kind)), copy.offset));
-        }
-    }
+    for (const CavityCopy& copy : m_layout.copies)
+        for (PlanShape& shape : gateShapes(copy))
+            obstacles.push_back(std::move(shape));
     const double funnel = widestOfSpout() / 2;
     const double nudged = (jointAttempts - 1) * jointNudge * m_widths.gate; // it may be joined so far aside
     if (spoutEach())

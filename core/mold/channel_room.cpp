@@ -8,9 +8,13 @@ namespace moldwright {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+double halfRoom(const Gate& gate) {
+    return gate.width * (0.5 + (jointAttempts - 1) * jointNudge);
+}
+
 PlanShape gateFoot(const CavityKind& kind, const Gate& gate) {
     const Vector2d tip = kind.fromInlet(gate.tip);
-    const double half = gate.width * (0.5 + (jointAttempts - 1) * jointNudge);
+    const double half = halfRoom(gate);
     PlanShape foot =
         planRectangle({tip.x() - half, tip.y() - 1.3 * gate.drop}, {tip.x() + half, tip.y() + gate.drop});
     for (Vector2d& p : foot)

@@ -12,6 +12,9 @@ namespace moldwright {
 [[nodiscard]] std::optional<Eigen::Vector2d> topInPlane(const CavityKind& kind, const VentedTrap& vented,
                                                         const Eigen::Vector3d& up);
 
+/// Half a gate's width, and as far aside as it may be joined, mm.
+[[nodiscard]] double halfRoom(const Gate& gate);
+
 /// A gate from its end in the cavity to the parting line and as far beyond, as far aside as it may be joined;
 /// where a cavity is pointed it stands out on both sides. The kind's coordinates.
 [[nodiscard]] PlanShape gateFoot(const CavityKind& kind, const Gate& gate);

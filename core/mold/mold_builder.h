@@ -116,6 +116,7 @@ private:
     [[nodiscard]] std::vector<PlanShape> standingBeside(std::size_t kind) const;
     [[nodiscard]] double widestOfSpout() const { return std::max(spout().funnel, spout().diameter); }
     [[nodiscard]] Obstacles planObstacles(const Block& block) const;
+    [[nodiscard]] std::vector<PlanShape> gateShapes(const CavityCopy& copy) const;
     void addChannelObstacles(Obstacles& obstacles, double faceY) const;
     void addRunnerObstacles(Obstacles& obstacles) const;
     void addVentObstacles(Obstacles& obstacles, const CavityCopy& copy, double end) const;
@@ -133,6 +134,7 @@ private:
     [[nodiscard]] std::vector<OutwardHole> outwardHoles(const CavityCopy& copy) const;
     /// `end`: z of the half's back.
     [[nodiscard]] Eigen::Vector3d mouthOf(const OutwardHole& hole, double end) const;
+    [[nodiscard]] std::array<double, 2> depthOfChannels() const;
     [[nodiscard]] Result<Block> blockFor(double wallX, double wallY) const;
     [[nodiscard]] Result<double> tail() const;
     Result<void> cutShell();
