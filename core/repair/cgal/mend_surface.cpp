@@ -136,7 +136,7 @@ MendedSurface mendSurface(const IndexedMesh& mesh) {
         PMP::experimental::remove_self_intersections(surface);
         fillHoles(surface, mended);
     }
-    if (CGAL::is_closed(surface))
+    if (surface.number_of_faces() > 0 && CGAL::is_closed(surface))
         PMP::orient_to_bound_a_volume(surface);
     mended.mesh = toIndexed(surface);
     return mended;
