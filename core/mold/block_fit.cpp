@@ -132,7 +132,8 @@ void MoldBuilder::addChannelContent(BlockContent& content, double wallY) const {
 void MoldBuilder::addRunnerContent(BlockContent& content, double wallY) const {
     const ChannelWidths& widths = m_widths;
     for (const double way : {-1.0, 1.0}) {
-        content.cavities.extend(Vector3d(m_layout.mainAxis + way * widths.main / 2, 0, 0));
+        content.cavities.extend(
+            Vector3d(m_layout.mainAxis + way * std::max(widestOfSpout(), widths.main) / 2, 0, 0));
         // Runners reach beyond the outermost gates.
         for (const CavityCopy& copy : m_layout.copies)
             for (const Gate& gate : (*m_entries)[copy.kind].gates)

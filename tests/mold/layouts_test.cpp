@@ -46,6 +46,19 @@ MoldSettings circleOf(int count) {
 
 } // namespace
 
+TEST(GridLayout, HoldsAWideFunnelBesideOneColumn) {
+    MoldSettings settings;
+    settings.spout.on = true;
+    settings.layout.rows = 2;
+    for (const double funnel : {12.0, 30.0, 50.0}) {
+        settings.spout.funnel = funnel;
+        const Result<Mold> mold = moldOf(frusta(40, 12, 6, 4, lean), settings);
+        expectVerified(mold);
+        ASSERT_TRUE(mold);
+        EXPECT_GE(mold->blockSize.x(), funnel + 2 * settings.leastSteel);
+    }
+}
+
 TEST(CircleLayout, FillsAllCavitiesOverWaysOfOneLength) {
     for (const int cavities : {2, 3, 5, 8}) {
         const Result<Mold> mold = moldOf(frusta(20, 10, 5, 3, lean), circleOf(cavities));
