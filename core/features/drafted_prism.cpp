@@ -189,6 +189,17 @@ void addSection(Surface& surface, const DraftedPrism& prism, std::size_t from) {
     }
 }
 
+/// A lid that closes before its height is reached, in the words of what is being made.
+std::unexpected<Error> closesEarly(const PrismRequest& request, double height) {
+    if (!request.closed.text.empty())
+        return failure(ErrorCode::Impossible, request.closed.text, request.closed.arguments);
+    return failure(ErrorCode::Impossible,
+                   MW_TEXT("Mold",
+                           "A channel {0} mm deep closes before its floor: it is too narrow for the lean "
+                           "that its walls need. Make it wider, or take less draft."),
+                   {readable(height)});
+}
+
 } // namespace
 
 double onGrid(double value, double grid) {
@@ -226,14 +237,7 @@ Result<DraftedPrism> draftedPrism(const PrismRequest& request) {
         for (const Vector2d& corner : insetShape(prism.base, insets))
             prism.lid[side].emplace_back(onGrid(corner.x(), request.grid), onGrid(corner.y(), request.grid));
         if (!keepsItsEdges(prism.base, prism.lid[side]))
-            return request.closed.text.empty()
-                       ? failure(
-                             ErrorCode::Impossible,
-                             MW_TEXT("Mold",
-                                     "A channel {0} mm deep closes before its floor: it is too narrow for "
-                                     "the lean that its walls need. Make it wider, or take less draft."),
-                             {readable(height)})
-                       : failure(ErrorCode::Impossible, request.closed.text, request.closed.arguments);
+            return closesEarly(request, height);
         prism.slope[side] = *std::move(slopes);
     }
     return prism;

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -238,10 +237,9 @@ Edge edgeOf(const IndexedMesh& mesh, int f, int k) {
     return {low, high};
 }
 
-/// Of these faces those that are thinner than what counts as touching and stand, over none but such, beside a
-/// free one: slivers where a bore's wall ends at the cavity. They go with the wall.
-std::vector<int> rimSlivers(const IndexedMesh& half, const std::vector<int>& stuck,
-                            const std::vector<int>& free) {
+/// Free faces, and those that are thinner than what counts as touching and stand, over none but such, beside
+/// one: slivers where a bore's wall ends at the cavity. They go with the wall.
+std::set<int> withRimSlivers(const IndexedMesh& half, const std::vector<int>& free) {
     const double thin = touchingDistance(half);
     std::map<Edge, std::vector<int>> thinAt;
     for (const int f : facesThat(half, [&](int face) {
@@ -263,10 +261,7 @@ std::vector<int> rimSlivers(const IndexedMesh& half, const std::vector<int>& stu
                     if (reached.insert(g).second)
                         next.push_back(g);
     }
-    std::vector<int> slivers;
-    std::copy_if(stuck.begin(), stuck.end(), std::back_inserter(slivers),
-                 [&](int f) { return reached.contains(f); });
-    return slivers;
+    return reached;
 }
 
 std::vector<int> facesNotLeaving(const IndexedMesh& half, const Obstacles& obstacles, const Vector3d& d,
@@ -291,10 +286,9 @@ std::vector<int> facesNotLeaving(const IndexedMesh& half, const Obstacles& obsta
         (isFree[i] != 0 ? free : held).push_back(stuck[i]);
     if (held.empty())
         return held;
-    const std::vector<int> slivers = rimSlivers(half, held, free);
-    std::vector<int> left;
-    std::set_difference(held.begin(), held.end(), slivers.begin(), slivers.end(), std::back_inserter(left));
-    return left;
+    const std::set<int> taken = withRimSlivers(half, free);
+    std::erase_if(held, [&](int f) { return taken.contains(f); });
+    return held;
 }
 
 /// Seen along d, the face is wide enough for a ray to meet it where it should.
